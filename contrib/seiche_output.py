@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reader for the output directory of a run (numpy only, no VTK).
+
+    from seiche_output import Run
+    run = Run("results/dam_break_2d")
+    run.statistics["front surge [m]"]      array, one value a step
+    run.summary["errors"]                  dict
+    run.parameter("Grid/Upper corner")     text, as used by the run
+    for time, file in run.frames("points"):
+        frame = read_frame(file)           dict of arrays; "points": [n, 3]
+"""
+
+import base64
+import csv
+import json
+import os
+import xml.etree.ElementTree as ElementTree
+import zlib
+
+import numpy
+
+TYPES = {
+    "Float32": "f4",
+    "Float64": "f8",
+    "Int8": "i1",
+    "UInt8": "u1",
+    "Int16": "i2",
+    "UInt16": "u2",
+    "Int32": "i4",
+    "UInt32": "u4",
+    "Int64": "i8",
+    "UInt64": "u8",
+}
+
+
+class Run:
+    """One output directory; what is missing in it is empty here."""
+
+    def __init__(self, directory):
+        self.directory = directory
+        self.statistics = self._read_statistics()
+        self.summary = self._read_summary()
+        self.parameters = self._read_parameters()
+
+    def _path(self, name):
+        return os.path.join(self.directory, name)
+
+    def _read_statistics(self):
+        """Columns of statistics.csv; a cut last line is left out."""
+        if not os.path.isfile(self._path("statistics.csv")):
+            return {}
+        with open(self._path("statistics.csv"), newline="") as file:
+            rows = list(csv.reader(file))
+        names = [name.strip() for name in rows[0]] if rows else []
+        rows = [row for row in rows[1:] if len(row) == len(names)]
+
+        def number(text):
+            try:
+                return float(text)
+            except ValueError:
+                return numpy.nan
+
+        values = numpy.array([[number(text) for text in row] for row in rows])
+        values = values.reshape(len(rows), len(names))
+        return {name: values[:, i] for i, name in enumerate(names)}
+
+    def _read_summary(self):
+        if not os.path.isfile(self._path("summary.json")):
+            return {}
+        with open(self._path("summary.json")) as file:
+            return json.load(file)
+
+    def _read_parameters(self):
+        """Entries of parameters.prm by path, such as "Grid/Lower corner"."""
+        if not os.path.isfile(self._path("parameters.prm")):
+            return {}
+        entries, sections, kept = {}, [], ""
+        with open(self._path("parameters.prm")) as file:
+            for line in file:
+                line = kept + line.split("#")[0].strip()
+                kept = ""
+                if line.endswith("\\"):
+                    kept = line[:-1]
+                elif line.startswith("subsection "):
+                    sections.append(line[len("subsection "):].strip())
+                elif line == "end":
+                    sections.pop()
+                elif line.startswith("set ") and "=" in line:
+                    name, value = line[len("set "):].split("=", 1)
+                    name = " ".join(name.split())
+                    entries["/".join(sections + [name])] = value.strip()
+        return entries
+
+    def parameter(self, path, default=""):
+        return self.parameters.get(path, default)
+
+    def numbers(self, path):
+        """Numbers of an entry such as "0, 0.6", or an empty list."""
+        try:
+            return [float(text) for text in self.parameter(path).split(",")]
+        except ValueError:
+            return []
+
+    def instances(self, kind):
+        """Names of the subsections "<kind> NAME"."""
+        names = []
+        for path in self.parameters:
+            section = path.split("/")[0]
+            if section.startswith(kind + " ") and "/" in path:
+                name = section[len(kind) + 1:]
+                if name not in names:
+                    names.append(name)
+        return names
+
+    def frames(self, kind):
+        """[(time in s, file)] of kind "points" or "grid", from the PVD file."""
+        if not os.path.isfile(self._path(kind + ".pvd")):
+            return []
+        root = ElementTree.parse(self._path(kind + ".pvd")).getroot()
+        frames = [
+            (float(entry.get("timestep")), self._path(entry.get("file")))
+            for entry in root.iter("DataSet")
+        ]
+        return sorted(frame for frame in frames if os.path.isfile(frame[1]))
+
+
+def read_frame(path):
+    """Arrays of a .vtu file, or of all pieces of a .pvtu file, by name.
+
+    "points" holds the positions [n, 3]; fields carry the names of the file.
+    """
+    root = ElementTree.parse(path).getroot()
+    if root.get("type", "").startswith("P"):
+        folder = os.path.dirname(path)
+        pieces = [
+            read_frame(os.path.join(folder, piece.get("Source")))
+            for piece in root.iter("Piece")
+        ]
+        pieces = [piece for piece in pieces if len(piece["points"])] or pieces[:1]
+        return {
+            name: numpy.concatenate([piece[name] for piece in pieces])
+            for name in pieces[0]
+        }
+
+    order = "<" if root.get("byte_order", "LittleEndian") == "LittleEndian" else ">"
+    header = order + TYPES[root.get("header_type", "UInt32")]
+    compressed = root.get("compressor") is not None
+    result = {"points": numpy.zeros((0, 3))}
+    for piece in root.iter("Piece"):
+        for group in ("Points", "PointData"):
+            element = piece.find(group)
+            for array in element.iter("DataArray") if element is not None else ():
+                values = _decode(array, order, header, compressed)
+                components = int(array.get("NumberOfComponents", "1"))
+                if components > 1:
+                    values = values.reshape(-1, components)
+                name = "points" if group == "Points" else array.get("Name")
+                result[name] = values
+    return result
+
+
+def _decode(array, order, header, compressed):
+    """Values of a DataArray element: ascii, base64, or base64 of zlib blocks."""
+    kind = numpy.dtype(order + TYPES[array.get("type")])
+    text = "".join((array.text or "").split()) if array.get("format") != "ascii" else ""
+    if array.get("format") == "ascii":
+        return numpy.array((array.text or "").split(), dtype=float)
+    if not text:
+        return numpy.zeros(0, kind)
+    word = numpy.dtype(header).itemsize
+    if not compressed:
+        return numpy.frombuffer(base64.b64decode(text)[word:], kind)
+
+    # Header: number of blocks, their size, size of the last, compressed sizes.
+    first = base64.b64decode(text[: 4 * ((word + 2) // 3)])
+    blocks = int(numpy.frombuffer(first[:word], header)[0])
+    length = 4 * ((word * (3 + blocks) + 2) // 3)
+    sizes = numpy.frombuffer(base64.b64decode(text[:length]), header)[3:]
+    data, at, parts = base64.b64decode(text[length:]), 0, []
+    for size in sizes[:blocks]:
+        parts.append(zlib.decompress(data[at : at + int(size)]))
+        at += int(size)
+    return numpy.frombuffer(b"".join(parts), kind)

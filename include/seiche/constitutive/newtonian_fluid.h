@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_constitutive_newtonian_fluid_h
+#define seiche_constitutive_newtonian_fluid_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  class InputFile;
+
+  /**
+   * @brief Material constants of the fluid (prm subsection "Fluid"); all are
+   * mandatory.
+   */
+  struct FluidParameters
+  {
+    double density           = 0.; ///< [kg/m^3] of the fluid at rest
+    double dynamic_viscosity = 0.; ///< [Pa s]
+    double bulk_modulus      = 0.; ///< [Pa], infinity if incompressible
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Reads the bulk modulus; InputError for what makes no sense.
+    void
+    check(const InputFile &input);
+
+  private:
+    std::string bulk_modulus_text = "infinite";
+  };
+} // namespace seiche
+
+#endif

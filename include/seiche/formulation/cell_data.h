@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_formulation_cell_data_h
+#define seiche_formulation_cell_data_h
+
+#include <seiche/grid/time_scheme.h>
+#include <seiche/quadrature/quadrature.h>
+#include <seiche/utilities/shape_functions.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <cstring>
+
+namespace seiche
+{
+  /**
+   * @brief Everything a weak form reads and writes of one cell (FE_Q(1)).
+   *
+   * Allocated once by the assembler. The node index runs fastest in every
+   * array, so that loops over nodes fill the vector registers.
+   */
+  template <int dim>
+  struct CellData
+  {
+    static constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
+    using NodalScalar                     = double[n_nodes];
+    using NodalVector                     = double[dim][n_nodes];
+
+    // --- input
+    StepCoefficients       coefficients;
+    dealii::Tensor<1, dim> extent;         ///< edge lengths [m]
+    double                 size = 0.;      ///< |K|^(1/dim) [m]
+    bool                   sliver = false; ///< lumped mass, averaged tau1 term
+    double                 start_speed = 0.; ///< |v_0| at the centre [m/s]
+    CellQuadrature<dim>    quadrature;
+
+    alignas(64) NodalVector displacement;  ///< u [m]
+    alignas(64) NodalVector acceleration;  ///< C_a u + offset [m/s^2]
+    alignas(64) NodalVector rate_velocity; ///< c_r u + offset [m/s]
+    alignas(64) NodalScalar pressure;      ///< p [Pa], mixed form only
+
+    /// Body acceleration [m/s^2]: one value, or one per quadrature point.
+    dealii::Tensor<1, dim>              constant_body_force;
+    std::vector<dealii::Tensor<1, dim>> body_force;
+    bool                                body_force_varies = false;
+
+    // --- output; pressure rows and columns in the mixed form only
+    alignas(64) NodalVector residual_u; ///< [N]
+    alignas(64) NodalScalar residual_p; ///< [m^dim]
+    alignas(64) double uu[dim][dim][n_nodes][n_nodes];
+    alignas(64) double up[dim][n_nodes][n_nodes]; ///< row component first
+    alignas(64) double pu[dim][n_nodes][n_nodes]; ///< column component first
+    alignas(64) double pp[n_nodes][n_nodes];
+
+    const dealii::Tensor<1, dim> &
+    body_force_at(const unsigned int q) const
+    {
+      return body_force_varies ? body_force[q] : constant_body_force;
+    }
+
+    void
+    clear_residual()
+    {
+      std::memset(residual_u, 0, sizeof(residual_u));
+      std::memset(residual_p, 0, sizeof(residual_p));
+    }
+
+    void
+    clear_tangent()
+    {
+      std::memset(uu, 0, sizeof(uu));
+      std::memset(up, 0, sizeof(up));
+      std::memset(pu, 0, sizeof(pu));
+      std::memset(pp, 0, sizeof(pp));
+    }
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_formulation_displacement_h
+#define seiche_formulation_displacement_h
+
+#include <seiche/formulation/formulation.h>
+
+namespace seiche
+{
+  /**
+   * @brief The irreducible form: displacement alone, p = -kappa (J - 1).
+   *
+   * doc/theory.md, "Irreducible form"; founding paper, section 4.2, with the
+   * sign of the pressure put right.
+   */
+  template <int dim>
+  class Displacement : public Formulation<dim>
+  {
+  public:
+    using Formulation<dim>::Formulation;
+
+    bool
+    has_pressure() const override;
+    void
+    residual(CellData<dim> &cell) const override;
+    void
+    tangent(CellData<dim> &cell) const override;
+
+    /// p = -kappa (J - 1).
+    void
+    update_points(PointCloud<dim> &points) const override;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_formulation_displacement_pressure_vms_h
+#define seiche_formulation_displacement_pressure_vms_h
+
+#include <seiche/formulation/formulation.h>
+
+namespace seiche
+{
+  /**
+   * @brief The mixed form with equal-order pressure and algebraic subscales.
+   *
+   * doc/theory.md, "Mixed form" (Codina 2000-2008; Badia and Codina 2009). The
+   * pressure equation is multiplied by -1 against the paper's, so that its
+   * diagonal block is positive. Second derivatives of the velocity are left
+   * out: for FE_Q(1) and mu c_r << rho C_a h^2 they do not change the order.
+   */
+  template <int dim>
+  class DisplacementPressureVMS : public Formulation<dim>
+  {
+  public:
+    using Formulation<dim>::Formulation;
+
+    bool
+    has_pressure() const override;
+    void
+    residual(CellData<dim> &cell) const override;
+    void
+    tangent(CellData<dim> &cell) const override;
+
+  private:
+    /// The tau1 term of a sliver cell: Gauss points that share the cell's
+    /// volume; body force and inertia by cell mean (one point alone would
+    /// leave an hourglass mode in the pressure).
+    void
+    sliver_residual(CellData<dim> &cell, const double tau_momentum) const;
+    void
+    sliver_tangent(CellData<dim> &cell, const double tau_momentum) const;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_formulation_formulation_h
+#define seiche_formulation_formulation_h
+
+#include <seiche/constitutive/newtonian_law.h>
+#include <seiche/formulation/cell_data.h>
+#include <seiche/formulation/stabilization.h>
+
+#include <memory>
+#include <string>
+
+namespace seiche
+{
+  /// Constants of the fluid that the weak forms read.
+  struct MaterialConstants
+  {
+    double       density      = 0.; ///< [kg/m^3]
+    double       bulk_modulus = 0.; ///< [Pa], infinity in the mixed form only
+    NewtonianLaw law;
+  };
+
+  /**
+   * @brief A weak form: residual and exact tangent of one cell.
+   *
+   * One virtual call a cell; the loops over quadrature points and nodes are
+   * inside. Equations: doc/theory.md.
+   */
+  template <int dim>
+  class Formulation
+  {
+  public:
+    Formulation(const MaterialConstants       &material_constants,
+                const StabilizationParameters &stabilization_parameters)
+      : material(material_constants)
+      , stabilization(stabilization_parameters)
+    {}
+
+    virtual ~Formulation() = default;
+
+    /// True if the pressure is an unknown.
+    virtual bool
+    has_pressure() const = 0;
+
+    /// Add to residual_u (and residual_p) of the cell; clears them first.
+    virtual void
+    residual(CellData<dim> &cell) const = 0;
+
+    /// The blocks uu (up, pu, pp): derivative of residual(); clears first.
+    virtual void
+    tangent(CellData<dim> &cell) const = 0;
+
+    /// Derived columns of the points after their volume ratio has changed
+    /// (the pressure, where it is no unknown). Local.
+    virtual void
+    update_points(PointCloud<dim> &points) const
+    {
+      (void)points;
+    }
+
+    /// tau of a cell from its size and mean velocity.
+    Tau
+    tau(const CellData<dim> &cell) const;
+
+    const MaterialConstants       material;
+    const StabilizationParameters stabilization;
+  };
+
+  /// prm entry "Formulation/Name" beside the stabilization's.
+  struct FormulationParameters
+  {
+    std::string             name = "displacement-pressure";
+    StabilizationParameters stabilization;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    bool
+    is_mixed() const
+    {
+      return name == "displacement-pressure";
+    }
+  };
+
+  /// The table of formulations.
+  template <int dim>
+  std::unique_ptr<Formulation<dim>>
+  make_formulation(const FormulationParameters &parameters,
+                   const MaterialConstants     &material);
+} // namespace seiche
+
+#endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_formulation_stabilization_h
+#define seiche_formulation_stabilization_h
+
+#include <seiche/grid/time_scheme.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  /// Stabilization parameters of one cell, frozen during Newton's iteration.
+  struct Tau
+  {
+    double momentum   = 0.; ///< tau1 [m^4/N]
+    double continuity = 0.; ///< tau2 [Pa]
+  };
+
+  /**
+   * @brief prm entries of the variational multiscale terms (subsection
+   * "Formulation").
+   */
+  struct StabilizationParameters
+  {
+    std::string  stabilization     = "ASGS";
+    std::string  tau               = "transient";
+    double       inertia_factor    = 1.;  // c_d
+    double       viscous_factor    = 4.;  // c_1
+    double       continuity_factor = 0.1; // c_2
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    bool
+    is_active() const
+    {
+      return stabilization != "none";
+    }
+
+    /// True if tau1 is the same in all cells of a size: the pressure block is
+    /// then a scaled copy of the Schur complement.
+    bool
+    tau_is_uniform() const
+    {
+      return tau == "transient";
+    }
+
+    /**
+     * transient: 1/tau1 = c_d rho C_a + c_1 2 mu c_r k^4/h^2 (Badia and
+     * Codina 2009, in displacements). paper: 1/tau1 = c_1 2 mu/(h^2 dt) +
+     * c_d rho |v|/(h dt) (founding paper, equation 25), |v| floored at
+     * 1e-3 h/dt, because as printed tau1 is infinite where the fluid rests.
+     * Both: tau2 = c_2 h^2/tau1. All zero without subscales.
+     *
+     * @p h cell size [m], @p speed at the cell's centre [m/s].
+     */
+    Tau
+    evaluate(const StepCoefficients &coefficients,
+             const double            density,
+             const double            viscosity,
+             const double            h,
+             const unsigned int      degree,
+             const double            speed) const;
+  };
+} // namespace seiche
+
+#endif

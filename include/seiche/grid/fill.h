@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_grid_fill_h
+#define seiche_grid_fill_h
+
+#include <seiche/grid/occupancy.h>
+
+#include <vector>
+
+namespace seiche
+{
+  /// A face between two occupied cells of which at least one is cut.
+  struct GhostFace
+  {
+    unsigned int lower;     ///< local cell on the lower side
+    unsigned int upper;     ///< local cell on the upper side
+    unsigned int direction; ///< of the normal
+    bool         thin;      ///< one of the cells is thin
+  };
+
+  /**
+   * @brief How full cells and nodes are, and what follows for each cell.
+   *
+   * Recomputed every step from the points alone, so that restart and
+   * repartitioning change nothing. Thresholds are compared on values rounded
+   * to 1e-10, so that round-off cannot flip a class between rank counts or
+   * mirror images. The table of classes stands in doc/theory.md.
+   */
+  template <int dim>
+  class Fill
+  {
+  public:
+    using Vector = typename Occupancy<dim>::Vector;
+
+    /// @p gauss_in_full_cells false: every weight is zero (points only).
+    Fill(const Occupancy<dim> &occupancy, const bool gauss_in_full_cells);
+
+    /// Collective.
+    void
+    update(const PointCloud<dim> &points);
+
+    /// Weight of the Gauss points in a cell, [0,1]; points weigh 1 - w. Own
+    /// and ghost cells, as the next three.
+    double
+    gauss_weight(const unsigned int cell) const
+    {
+      return weight[cell];
+    }
+
+    bool
+    is_cut(const unsigned int cell) const
+    {
+      return flags[cell] & cut;
+    }
+
+    bool
+    is_thin(const unsigned int cell) const
+    {
+      return flags[cell] & thin;
+    }
+
+    bool
+    is_sliver(const unsigned int cell) const
+    {
+      return flags[cell] & sliver;
+    }
+
+    /// Initial volume of the points in an own cell over its measure.
+    double
+    cell_fill(const unsigned int cell) const
+    {
+      return fill[cell];
+    }
+
+    /// sum N_I V0 over the node's full volume; own and ghost nodes.
+    const Vector &
+    nodal_fill() const
+    {
+      return node_fill;
+    }
+
+    /// Ghost faces that this rank assembles (the lower rank of the two).
+    const std::vector<GhostFace> &
+    ghost_faces() const
+    {
+      return faces;
+    }
+
+    /// sum_I max(0, fill_I - 1) V_I / sum V0, all ranks.
+    double
+    overfull_fraction() const
+    {
+      return overfull;
+    }
+
+    const Occupancy<dim> &occupancy;
+
+  private:
+    enum Flag : unsigned char
+    {
+      cut    = 1, ///< occupied, and a vertex neighbour inside the domain is not
+      thin   = 2, ///< cut, and point volume below 0.7 of the cell
+      sliver = 4  ///< weight below one, and point volume below 0.3
+    };
+
+    void
+    classify();
+    void
+    collect_ghost_faces();
+
+    const bool                gauss_in_full_cells;
+    std::vector<double>       weight, fill;
+    std::vector<unsigned char> flags;
+    Vector                    node_fill;
+    std::vector<GhostFace>    faces;
+    double                    overfull = 0.;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_grid_grid_state_h
+#define seiche_grid_grid_state_h
+
+#include <seiche/grid/occupancy.h>
+
+#include <deal.II/lac/la_parallel_block_vector.h>
+
+namespace seiche
+{
+  /**
+   * @brief Nodal fields of the current step; the grid carries nothing further.
+   *
+   * Vector fields have entry dim*node + component, scalar fields entry node,
+   * in the compact numbering of Occupancy. Ghost entries are valid after
+   * points_to_grid and after each Newton update.
+   */
+  template <int dim>
+  struct GridState
+  {
+    using Vector      = dealii::LinearAlgebra::distributed::Vector<double>;
+    using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
+
+    /// Adopt the layout of the occupancy and set all fields to zero.
+    void
+    reinit(const Occupancy<dim> &occupancy,
+           const bool            with_pressure,
+           const bool            with_acceleration);
+
+    bool
+    has_pressure() const
+    {
+      return solution.n_blocks() == 2;
+    }
+
+    double time = 0.; ///< [s] t_n, start of the step
+    double dt   = 0.; ///< [s] step size
+
+    Vector mass;           ///< [kg] lumped mass from the points
+    Vector velocity_n;     ///< [m/s] from the points, walls applied
+    Vector velocity_start; ///< [m/s] v_0 of the step: projected velocity_n
+    Vector acceleration_n; ///< [m/s^2] empty unless the scheme carries it
+
+    /// Unknowns: block 0 the displacement since t_n [m], block 1 the pressure
+    /// [Pa] (there is no block 1 in the irreducible form).
+    BlockVector solution;
+
+    Vector velocity_np1;     ///< [m/s]   end of the step
+    Vector acceleration_np1; ///< [m/s^2] of the step (scheme's own meaning)
+    Vector pressure_guess;   ///< [Pa] mass-weighted mean of the points
+    Vector reaction;         ///< [N] force of the walls on the fluid
+
+    Vector &
+    displacement()
+    {
+      return solution.block(0);
+    }
+    const Vector &
+    displacement() const
+    {
+      return solution.block(0);
+    }
+    Vector &
+    pressure()
+    {
+      return solution.block(1);
+    }
+    const Vector &
+    pressure() const
+    {
+      return solution.block(1);
+    }
+  };
+} // namespace seiche
+
+#endif

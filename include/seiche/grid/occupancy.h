@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_grid_occupancy_h
+#define seiche_grid_occupancy_h
+
+#include <seiche/points/cell_locator.h>
+#include <seiche/points/point_cloud.h>
+
+#include <deal.II/base/partitioner.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_q.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief The occupied part of the grid and its compact numbering of nodes.
+   *
+   * A cell is occupied if it holds a point, active if it is occupied or
+   * shares a vertex with an occupied cell at the time of numbering (the
+   * halo). Only nodes of active cells exist for vectors, matrices and
+   * solvers; the numbering lives until a point leaves the active cells. All
+   * fields share the nodes: component c of node i of a vector field is entry
+   * dim*i + c. Local node indices: own nodes first, then ghosts.
+   *
+   * The full numbering of the DoFHandler is known to this class alone.
+   */
+  template <int dim>
+  class Occupancy
+  {
+  public:
+    using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+    static constexpr unsigned int invalid = static_cast<unsigned int>(-1);
+
+    Occupancy(const CellLocator<dim> &locator, const unsigned int degree);
+
+    /// Number the full mesh; after each change of the mesh. Collective.
+    void
+    reinit();
+
+    /// Find occupied cells; renumber if a point is outside the active cells.
+    /// Collective.
+    void
+    update(const PointCloud<dim> &points);
+
+    /// Grows by one with each new numbering.
+    unsigned int
+    generation() const
+    {
+      return numbering_generation;
+    }
+
+    unsigned int
+    nodes_per_cell() const
+    {
+      return fe.n_dofs_per_cell();
+    }
+
+    /// Own occupied cells, ascending local numbers.
+    const std::vector<unsigned int> &
+    occupied_cells() const
+    {
+      return occupied;
+    }
+
+    /// Own active cells (occupied and halo), ascending.
+    const std::vector<unsigned int> &
+    active_cells() const
+    {
+      return active;
+    }
+
+    /// For own and ghost cells.
+    bool
+    is_occupied(const unsigned int cell) const
+    {
+      return occupied_flag[cell];
+    }
+
+    bool
+    is_active(const unsigned int cell) const
+    {
+      return active_flag[cell];
+    }
+
+    /// Local node indices [nodes_per_cell()] of an active own or ghost cell;
+    /// lexicographic for degree 1 (deal.II's numbering of FE_Q otherwise).
+    const unsigned int *
+    cell_nodes(const unsigned int cell) const
+    {
+      return compact_cell_nodes.data() + cell * nodes_per_cell();
+    }
+
+    /// Own and own-plus-ghost nodes of the compact numbering.
+    unsigned int
+    n_own_nodes() const
+    {
+      return n_own;
+    }
+    unsigned int
+    n_local_nodes() const
+    {
+      return full_of_compact.size();
+    }
+
+    dealii::types::global_dof_index
+    n_global_nodes() const
+    {
+      return node_partitioner->size();
+    }
+
+    /// Own occupied cells of all ranks.
+    std::uint64_t
+    n_global_occupied_cells() const
+    {
+      return global_occupied;
+    }
+
+    /// Layout of a scalar field and of a vector field with dim components.
+    const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &
+    scalar_partitioner() const
+    {
+      return node_partitioner;
+    }
+    const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &
+    vector_partitioner() const
+    {
+      return component_partitioner;
+    }
+
+    /// Bit c is set if component c of the displacement is fixed by a wall.
+    unsigned int
+    fixed_components(const unsigned int node) const
+    {
+      return fixed_full[full_of_compact[node]];
+    }
+
+    /// True if the wall with this boundary id fixes component c at the node.
+    bool
+    fixed_by(const unsigned int               node,
+             const dealii::types::boundary_id wall,
+             const unsigned int               component) const;
+
+    /// Integral of the shape function over the whole domain [m^dim].
+    double
+    node_volume(const unsigned int node) const
+    {
+      return volume_full[full_of_compact[node]];
+    }
+
+    const dealii::Point<dim> &
+    node_position(const unsigned int node) const
+    {
+      return position_full[full_of_compact[node]];
+    }
+
+    /// Own and ghost cells that share a vertex with an own cell (without it).
+    const std::vector<unsigned int> &
+    vertex_neighbors(const unsigned int cell) const
+    {
+      return neighbors[cell];
+    }
+
+    /// Smallest edge length of all cells [m].
+    double
+    smallest_extent() const
+    {
+      return smallest;
+    }
+
+    /// True if some cell of the domain is not occupied, or a side is open:
+    /// the pressure is then known with its constant.
+    bool
+    has_free_surface() const
+    {
+      return global_occupied < global_cells || open_wall;
+    }
+
+    /// Send one value per own cell to the ranks that see it as ghost:
+    /// entries of ghost cells are overwritten. Collective.
+    void
+    exchange_to_ghosts(std::vector<double> &cell_values) const;
+
+    const CellLocator<dim>   &locator;
+    const dealii::FE_Q<dim>   fe;
+
+  private:
+    // parts of reinit()
+    void
+    number_cells_and_positions();
+    void
+    collect_walls();
+    void
+    collect_volumes();
+    void
+    collect_neighbors();
+
+    void
+    exchange_flag(std::vector<char> &flag) const;
+
+    /// Choose the active cells and number their nodes. Collective.
+    void
+    number();
+
+    dealii::DoFHandler<dim> dof_handler;
+
+    // full mesh, local numbering of locally relevant dofs
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> full_partitioner;
+    std::vector<unsigned int>              full_cell_nodes;
+    std::vector<unsigned int>              fixed_full;
+    std::vector<double>                    volume_full;
+    std::vector<dealii::Point<dim>>        position_full;
+    std::vector<std::vector<std::pair<dealii::types::boundary_id, unsigned int>>>
+                                           walls_full;
+    std::vector<std::vector<unsigned int>> neighbors;
+    std::uint64_t                          global_cells = 0;
+    double                                 smallest     = 0.;
+    bool                                   open_wall    = false;
+
+    // compact numbering
+    unsigned int               numbering_generation = 0;
+    unsigned int               n_own                = 0;
+    std::uint64_t              global_occupied      = 0;
+    std::vector<unsigned int>  occupied, active;
+    std::vector<char>          occupied_flag, active_flag;
+    std::vector<unsigned int>  compact_cell_nodes;
+    std::vector<unsigned int>  full_of_compact;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> node_partitioner;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+      component_partitioner;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_grid_time_scheme_h
+#define seiche_grid_time_scheme_h
+
+#include <seiche/grid/grid_state.h>
+
+#include <memory>
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  /**
+   * @brief Scalars of a step that the weak forms need.
+   *
+   * Acceleration of the inertia term a = inertia u + inertia_offset, velocity
+   * in the stress v = rate u + rate_offset, forces in the configuration
+   * x_n + theta u, constraint at x_n + u. (numerics: C_a, c_r, theta)
+   */
+  struct StepCoefficients
+  {
+    double dt              = 0.; ///< [s]
+    double theta           = 1.; ///< [-]
+    double inertia         = 0.; ///< [1/s^2]
+    double rate            = 0.; ///< [1/s]
+    double volume_recovery = 1.; ///< [-] theta_J = min(1, dt/T_relax)
+    bool   viscous         = true;
+    bool   body_force      = true;
+    bool   damping         = true; ///< ghost penalty on velocity jumps
+    /// [s^2] weight of -tr(l l) in the constraint: the second time derivative
+    /// of J = 1, for the consistent start only.
+    double rate_constraint = 0.;
+  };
+
+  /// prm entries that choose and tune the scheme (subsection "Time").
+  struct TimeSchemeParameters
+  {
+    std::string scheme       = "generalized midpoint";
+    double      rho_infinity = 1.;
+    double      bossak_alpha = -0.3;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /**
+   * @brief Time integration of one step in terms of the displacement
+   * increment u.
+   */
+  template <int dim>
+  class TimeScheme
+  {
+  public:
+    using Vector = typename GridState<dim>::Vector;
+
+    virtual ~TimeScheme() = default;
+
+    virtual StepCoefficients
+    coefficients(const double dt) const = 0;
+
+    /// True if points carry an acceleration from step to step.
+    virtual bool
+    needs_acceleration() const = 0;
+
+    /// Time within the step [0,1] at which forces and pressure live: the
+    /// pressure belongs to t_n + pressure_time dt.
+    virtual double
+    pressure_time() const = 0;
+
+    /// Nodal offsets of the coefficients from the start of the step
+    /// (velocity_start, acceleration_n). Local on own and ghost nodes.
+    virtual void
+    offsets(const GridState<dim> &state,
+            const double          dt,
+            Vector               &inertia_offset,
+            Vector               &rate_offset) const = 0;
+
+    /// First guess: displacement dt v_start [m], pressure of the points [Pa].
+    void
+    predict(GridState<dim> &state) const;
+
+    /// velocity_np1 and acceleration_np1 from the displacement; ghosts too.
+    virtual void
+    finish(GridState<dim> &state) const = 0;
+  };
+
+  /// The table of schemes: newmark, bossak, generalized midpoint.
+  template <int dim>
+  std::unique_ptr<TimeScheme<dim>>
+  make_time_scheme(const TimeSchemeParameters &parameters);
+} // namespace seiche
+
+#endif

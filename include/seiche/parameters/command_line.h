@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_parameters_command_line_h
+#define seiche_parameters_command_line_h
+
+#include <string>
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief What was typed after `seiche`.
+   */
+  struct CommandLine
+  {
+    std::string              filename;  ///< parameter file
+    std::vector<std::string> overrides; ///< texts of --set
+    std::string output; ///< --output; default: the file's name without ending
+    bool        validate         = false;
+    bool        print_parameters = false;
+    /// Text of --help or --version: print it and end.
+    std::string text;
+  };
+
+  /// Read the command line (CLI11). InputError for what it does not know,
+  /// with the nearest option. Local.
+  CommandLine
+  parse_command_line(const int argc, char **argv);
+} // namespace seiche
+
+#endif

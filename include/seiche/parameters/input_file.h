@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_parameters_input_file_h
+#define seiche_parameters_input_file_h
+
+#include <seiche/parameters/input_reader.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  struct Declaration;
+
+  /**
+   * @brief A parameter file with the place of every entry.
+   *
+   * deal.II's ParameterHandler keeps the declarations (names, defaults,
+   * patterns, texts). This class reads the file itself, so that every error,
+   * also one found long after parsing, can name file, line, entry and value,
+   * the nearest known name, what is allowed and what to type; and so that it
+   * refuses what ParameterHandler 9.4.1 lets pass: a file that includes
+   * itself, an entry set twice, a directory, an empty file.
+   *
+   * Entries are addressed by paths such as "Fluid body column/Shape".
+   */
+  class InputFile
+  {
+  public:
+    /// Read the file with its includes, then the overrides of the form
+    /// "Subsection/Entry = value". Throws InputError. Local (every rank reads).
+    InputFile(const std::string              &filename,
+              const std::vector<std::string> &overrides);
+
+    /// A stand-in without entries to collect declarations from: every kind
+    /// of instance occurs once, with the name NAME.
+    static InputFile
+    for_documentation();
+
+    /// The entry "Dimension": 2 or 3; InputError for anything else.
+    unsigned int
+    dimension() const;
+
+    /// Declare the entry "Dimension", which belongs to no struct.
+    static void
+    declare_dimension(dealii::ParameterHandler &prm);
+
+    /// Names of the subsections "<kind> NAME" of a kind that may occur any
+    /// number of times ("Fluid body", "Probe"), in the order of the file.
+    std::vector<std::string>
+    instances(const std::string &kind) const;
+
+    /// Value of an entry, or @p fallback if it is not set.
+    std::string
+    value(const std::string &path, const std::string &fallback = "") const;
+
+    /// True if the entry has a value that is not empty.
+    bool
+    is_set(const std::string &path) const;
+
+    /// Hand all entries to the declarations. Throws InputError for an unknown
+    /// entry or subsection (with the nearest name), a value that its pattern
+    /// refuses (with what is allowed), a mandatory entry that is not set.
+    void
+    parse_into(dealii::ParameterHandler &prm) const;
+
+    /// Throw InputError `FILE:LINE: entry "E" in "S" = V: problem`. The
+    /// problem text says what is allowed and what to change.
+    [[noreturn]] void
+    fail(const std::string &path, const std::string &problem) const;
+
+    /// fail() unless @p condition holds.
+    void
+    require(const bool         condition,
+            const std::string &path,
+            const std::string &problem) const
+    {
+      if (!condition)
+        fail(path, problem);
+    }
+
+    const std::string filename;
+
+    /// Directory of the file: relative names in it (reference tables) start
+    /// here.
+    std::string
+    directory() const;
+
+  private:
+    InputFile() = default;
+
+    /// FILE:LINE of an entry; of its subsection, or of the end of the file,
+    /// if it is not set.
+    std::string
+    origin(const std::string &path) const;
+
+    void
+    check_names(const std::vector<Declaration> &known,
+                std::vector<std::string>       &problems) const;
+    std::string
+    unknown_subsection(const std::string           &path,
+                       const std::set<std::string> &known) const;
+    std::string
+    unknown_entry(const std::string              &path,
+                  const std::vector<Declaration> &known) const;
+
+    InputText text;
+    bool      documentation = false;
+    // asked for so far: the hints for misspelt kinds need them
+    mutable std::set<std::string> kinds;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_points_cell_locator_h
+#define seiche_points_cell_locator_h
+
+#include <seiche/scene/background_grid.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief Own and ghost cells of this rank: geometry and location of points.
+   *
+   * Cells are numbered locally: 0 ... n_owned()-1 are the rank's own cells in
+   * the order of the triangulation, then the ghost cells. All are
+   * axis-parallel boxes, so a position is located in closed form: segment and
+   * index on the finest lattice per direction, then the cell whose lattice
+   * box holds the index. Cells are half-open, [lower, upper); only the upper
+   * sides of the domain belong to their cell. The result depends on the
+   * position alone, never on the rank count. A position on a wall up to
+   * 1e-10 of a cell belongs to the cell inside.
+   */
+  template <int dim>
+  class CellLocator
+  {
+  public:
+    static constexpr unsigned int invalid = static_cast<unsigned int>(-1);
+
+    /// @p background_grid must outlive the locator.
+    explicit CellLocator(const BackgroundGrid<dim> &background_grid);
+
+    /// Rebuild the tables after a change of the mesh. Local.
+    void
+    reinit();
+
+    unsigned int
+    n_owned() const
+    {
+      return n_owned_cells;
+    }
+
+    /// Own and ghost cells.
+    unsigned int
+    n_cells() const
+    {
+      return lower.size();
+    }
+
+    /// Cell that holds @p x among own and ghost cells, or invalid. @p hint is
+    /// tried first, then its neighbours. Local.
+    unsigned int
+    find(const dealii::Point<dim> &x, const unsigned int hint = invalid) const;
+
+    /// True if @p x lies in the half-open box of the cell.
+    bool
+    holds(const unsigned int cell, const dealii::Point<dim> &x) const
+    {
+      bool inside = true;
+      for (unsigned int d = 0; d < dim; ++d)
+        inside &= (x[d] >= lower[cell][d]) & (x[d] < upper[cell][d]);
+      return inside;
+    }
+
+    const dealii::Point<dim> &
+    lower_corner(const unsigned int cell) const
+    {
+      return lower[cell];
+    }
+
+    const dealii::Point<dim> &
+    upper_corner(const unsigned int cell) const
+    {
+      return upper[cell];
+    }
+
+    /// Edge lengths [m].
+    const dealii::Tensor<1, dim> &
+    extent(const unsigned int cell) const
+    {
+      return extents[cell];
+    }
+
+    /// Volume (3D) or area (2D) [m^dim].
+    double
+    measure(const unsigned int cell) const
+    {
+      return measures[cell];
+    }
+
+    dealii::BoundingBox<dim>
+    box(const unsigned int cell) const
+    {
+      return dealii::BoundingBox<dim>({lower[cell], upper[cell]});
+    }
+
+    /// Position in the unit cell.
+    dealii::Point<dim>
+    to_unit(const unsigned int cell, const dealii::Point<dim> &x) const
+    {
+      dealii::Point<dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = (x[d] - lower[cell][d]) / extents[cell][d];
+      return result;
+    }
+
+    /// Rank that owns the cell.
+    unsigned int
+    owner(const unsigned int cell) const
+    {
+      return owners[cell];
+    }
+
+    /// Cell across a face (deal.II's face number), or invalid at a wall and
+    /// where the neighbour is not known to this rank or is refined.
+    unsigned int
+    neighbor(const unsigned int cell, const unsigned int face) const
+    {
+      return neighbors[cell][face];
+    }
+
+    /// Boundary id of a face at a wall, numbers::internal_face_boundary_id
+    /// elsewhere.
+    dealii::types::boundary_id
+    boundary_id(const unsigned int cell, const unsigned int face) const
+    {
+      return boundary_ids[cell][face];
+    }
+
+    /// Global index of the cell on the finest lattice, x fastest: the same on
+    /// every rank count. Lowest lattice corner of the cell.
+    std::uint64_t
+    lattice_index(const unsigned int cell) const;
+
+    /// Local number of an own or ghost cell.
+    unsigned int
+    index(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
+      const
+    {
+      return by_active_index[cell->active_cell_index()];
+    }
+
+    const typename dealii::Triangulation<dim>::active_cell_iterator &
+    iterator(const unsigned int cell) const
+    {
+      return iterators[cell];
+    }
+
+    /// Boundary id of the wall through which a position outside left, found
+    /// from the side of the box it lies beyond (or the obstacle it lies in);
+    /// numbers::internal_face_boundary_id for a position in the fluid domain.
+    dealii::types::boundary_id
+    wall_beyond(const dealii::Point<dim> &x) const;
+
+    const BackgroundGrid<dim> &grid;
+
+  private:
+    using Lattice = std::array<unsigned int, dim>;
+
+    /// Grid lines of a direction on the finest lattice; cell i lies between
+    /// lines i and i + 1.
+    struct Lines
+    {
+      struct Segment
+      {
+        double       end;          // [m]
+        double       begin;        // [m]
+        double       inverse_size; // [1/m]
+        unsigned int first;
+      };
+      std::vector<Segment> segments;
+      std::vector<double>  places; // [m]
+
+      /// Index of the half-open cell; x must lie between the outer lines.
+      unsigned int
+      index(const double x) const;
+    };
+
+    void
+    make_lines();
+    void
+    add_cell(
+      const typename dealii::Triangulation<dim>::active_cell_iterator &cell);
+    void
+    find_neighbors();
+
+    /// Index on the finest lattice; false if outside the box.
+    bool
+    lattice_position(const dealii::Point<dim> &x, Lattice &index) const;
+    bool
+    in_obstacle(const Lattice &index) const;
+    bool
+    covers(const unsigned int cell, const Lattice &index) const;
+    /// Own or ghost cell that covers the lattice cell, or invalid.
+    unsigned int
+    search(const Lattice &index) const;
+    /// A position that is in no lattice cell but perhaps on a wall.
+    unsigned int
+    find_at_wall(const dealii::Point<dim> &x) const;
+
+    unsigned int                            n_owned_cells = 0;
+    std::vector<dealii::Point<dim>>         lower;
+    std::vector<dealii::Point<dim>>         upper;
+    std::vector<dealii::Tensor<1, dim>>     extents;
+    std::vector<double>                     measures;
+    std::vector<unsigned int>               owners;
+    std::vector<std::array<unsigned int, 2 * dim>>               neighbors;
+    std::vector<std::array<dealii::types::boundary_id, 2 * dim>> boundary_ids;
+    std::vector<Lattice>                    lattice_lower; // finest lattice box
+    std::vector<Lattice>                    lattice_upper; // exclusive
+    std::vector<unsigned int>               by_active_index;
+    std::vector<typename dealii::Triangulation<dim>::active_cell_iterator>
+      iterators;
+    std::array<Lines, dim> lines;
+    unsigned int           finest_level   = 0;
+    unsigned int           obstacle_shift = 0; // grid's lattice -> finest
+    // (Morton key of the lower lattice corner, cell), sorted by key: the cells
+    // of a forest of 2^n-refined boxes are intervals of this order
+    std::vector<std::pair<std::uint64_t, unsigned int>> by_key;
+  };
+} // namespace seiche
+
+#endif

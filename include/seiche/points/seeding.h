@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_points_seeding_h
+#define seiche_points_seeding_h
+
+#include <seiche/points/point_cloud.h>
+#include <seiche/scene/region.h>
+
+#include <vector>
+
+namespace seiche
+{
+  /// How fluid bodies are filled with points (prm subsection "Points").
+  struct SeedingParameters
+  {
+    unsigned int  per_direction = 4;  // points per cell and direction
+    double        jitter        = 0.; // +- this share of the point spacing
+    unsigned int  seed          = 1;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(const InputFile &input) const;
+  };
+
+  /// What the seeding of all bodies made, all ranks.
+  struct SeedingResult
+  {
+    std::uint64_t n_points = 0;
+    /// Half the smallest distance of lattice neighbours in any body [m].
+    double half_spacing = 0.;
+  };
+
+  /**
+   * Fill the bodies with points: every own cell that a region touches gets the
+   * lattice of Region::lattice_box() with per_direction points per full cell
+   * edge (fewer, at least one, in a cut box), each kept if the region holds
+   * the undisturbed place, then displaced by jitter (never out of its box).
+   * Ids and jitter depend on the lattice index and the seed only, not on
+   * ranks. If @p points carries a velocity gradient, it is set from central
+   * differences of the velocity. Overlapping bodies: the first one wins.
+   * Locates the points. InputError for a body that gets no point and for
+   * impossible shapes and velocities. Collective.
+   */
+  template <int dim>
+  SeedingResult
+  seed_bodies(const SeedingParameters                     &parameters,
+              const std::vector<FluidBodyParameters<dim>> &bodies,
+              const InputFile                             &input,
+              const double                                 density,
+              PointCloud<dim>                             &points);
+} // namespace seiche
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_postprocess_error_norms_h
+#define seiche_postprocess_error_norms_h
+
+#include <seiche/postprocess/nodal_pressure.h>
+#include <seiche/postprocess/postprocessor.h>
+#include <seiche/scene/expression.h>
+
+#include <deal.II/base/bounding_box.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  class InputFile;
+
+  /// prm entries of "Error NAME".
+  template <int dim>
+  struct ErrorParameters
+  {
+    static constexpr const char *kind = "Error";
+
+    std::string name;
+    std::string quantity = "pressure";
+    std::string exact;
+    std::string sample = "Gauss points";
+    std::string norm   = "relative L2";
+    std::string region_lower, region_upper; // empty: the domain
+    bool        remove_mean = false;
+    double      scale       = 1.;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(const InputFile &input, const BackgroundGrid<dim> &grid) const;
+    std::vector<std::string>
+    columns() const;
+
+    unsigned int
+    n_components() const
+    {
+      return quantity == "pressure" ? 1 : dim;
+    }
+
+    /// The exact solution; InputError if it does not parse.
+    Expression<dim>
+    exact_solution(const InputFile           &input,
+                   const BackgroundGrid<dim> &grid) const;
+
+    /// Box outside which nothing counts; InputError if it is none.
+    dealii::BoundingBox<dim>
+    region(const InputFile &input, const BackgroundGrid<dim> &grid) const;
+  };
+
+  /**
+   * @brief Error of pressure or velocity against given functions.
+   *
+   * Pressure: in the configuration x_n + theta u at `pressure_time`. Velocity:
+   * at x_n + u at the end of the step. Samples and their weights:
+   * nodes of occupied cells, weight mass; 2^dim Gauss points of each occupied
+   * cell, weight measure of the cell over their number; material points,
+   * equal weights. Norms: rms sqrt(sum w e^2 / sum w) and maximum over
+   * "Scale"; relative L2 sqrt(sum w e^2 / sum w exact^2).
+   * Missing for the pressure before the first step, and where nothing lies in
+   * the region or the exact solution is zero.
+   */
+  template <int dim>
+  class ErrorNorm : public Postprocessor<dim>
+  {
+  public:
+    ErrorNorm(const ErrorParameters<dim>                &error_parameters,
+              const InputFile                           &input,
+              const BackgroundGrid<dim>                 &grid,
+              const std::shared_ptr<NodalPressure<dim>> &nodal_pressure);
+
+    void
+    execute(const StepView<dim> &view, StatisticsTable &statistics) override;
+
+  private:
+    struct Sample
+    {
+      dealii::Tensor<1, dim> computed, exact;
+      double                 weight;
+    };
+
+    void
+    sample_nodes(const StepView<dim> &view);
+    void
+    sample_gauss_points(const StepView<dim> &view);
+    void
+    sample_material_points(const StepView<dim> &view);
+
+    /// Keep a sample if @p x lies in the region.
+    void
+    add(const dealii::Point<dim>     &x,
+        const dealii::Tensor<1, dim> &computed,
+        const double                  weight);
+
+    /// The norm over all ranks. Collective.
+    double
+    evaluate(const MPI_Comm communicator);
+
+    const ErrorParameters<dim>                parameters;
+    const Expression<dim>                     exact;
+    const dealii::BoundingBox<dim>            region;
+    const std::shared_ptr<NodalPressure<dim>> pressure;
+    const bool                                of_pressure;
+
+    double              time = 0.; // at which the exact solution is taken
+    std::vector<Sample> samples;
+  };
+} // namespace seiche
+
+#endif

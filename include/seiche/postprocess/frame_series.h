@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_postprocess_frame_series_h
+#define seiche_postprocess_frame_series_h
+
+#include <mpi.h>
+
+#include <functional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace seiche
+{
+  /// Where and when output frames are made.
+  struct FrameSettings
+  {
+    std::string directory;
+    double      interval = 0.; ///< [s]
+    double      end_time = 0.; ///< [s]
+  };
+
+  /**
+   * @brief Numbered output files at equal intervals of time.
+   *
+   * The first frame is made at the first call of due(), then one whenever a
+   * multiple of the interval has been reached, and one at the end. VTU files
+   * get an index NAME.pvd that is rewritten after each frame, so that a run
+   * that was killed stays readable. All files go through checked_file; a
+   * failure on one rank throws FileError on all.
+   */
+  class FrameSeries
+  {
+  public:
+    FrameSeries(const std::string   &series_name,
+                const FrameSettings &frame_settings,
+                const MPI_Comm       mpi_communicator);
+
+    /// True if a frame is to be made at @p time; ask once a step.
+    bool
+    due(const double time);
+
+    /**
+     * Write the frame as VTU: one file, or one a rank and a PVTU record.
+     *
+     * @param time   [s]
+     * @param piece  writes the part of this rank
+     * @param record writes the record of the named pieces
+     *
+     * Collective.
+     */
+    void
+    write_vtu(
+      const double                                                 time,
+      const std::function<void(std::ostream &)>                   &piece,
+      const std::function<void(std::ostream &,
+                               const std::vector<std::string> &)> &record);
+
+    /// Write the frame as one file NAME_NNNNNN.@p extension from rank 0; the
+    /// others wait for its success. Collective.
+    void
+    write_from_first_rank(const std::string                         &extension,
+                          const std::function<void(std::ostream &)> &fill);
+
+  private:
+    /// Run @p action here; if it fails on any rank, FileError on all.
+    void
+    on_all_ranks(const std::function<void()> &action) const;
+
+    /// "NAME_000012", and on to the next number.
+    std::string
+    next_name();
+
+    const std::string   name;
+    const FrameSettings settings;
+    const MPI_Comm      communicator;
+
+    unsigned int                                frames = 0;
+    double                                      next   = 0.; // [s]
+    std::vector<std::pair<double, std::string>> index;       // of the PVD
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_postprocess_front_position_h
+#define seiche_postprocess_front_position_h
+
+#include <seiche/postprocess/postprocessor.h>
+
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  class InputFile;
+
+  /// prm entries of "Front NAME".
+  template <int dim>
+  struct FrontParameters
+  {
+    static constexpr const char *kind = "Front";
+
+    std::string name;
+    std::string direction = "x";
+    std::string sense     = "upper";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(const InputFile &input, const BackgroundGrid<dim> &grid) const;
+    std::vector<std::string>
+    columns() const;
+  };
+
+  /// prm entries of "Gauge NAME".
+  template <int dim>
+  struct GaugeParameters
+  {
+    static constexpr const char *kind = "Gauge";
+
+    std::string        name;
+    dealii::Point<dim> position;   ///< [m], vertical coordinate ignored
+    double             width = 0.; ///< [m], 0: the smallest cell edge
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(const InputFile &input, const BackgroundGrid<dim> &grid) const;
+    std::vector<std::string>
+    columns() const;
+  };
+
+  /**
+   * @brief How far the fluid reaches in a direction: the extreme coordinate
+   * of the points, and half their initial spacing beyond it.
+   */
+  template <int dim>
+  class FrontPosition : public Postprocessor<dim>
+  {
+  public:
+    explicit FrontPosition(const std::vector<FrontParameters<dim>> &parameters);
+
+    void
+    execute(const StepView<dim> &view, StatisticsTable &statistics) override;
+
+  private:
+    const std::vector<FrontParameters<dim>> fronts;
+  };
+
+  /**
+   * @brief Height of the water at a place, as a wave gauge sees it.
+   *
+   * Vertical coordinate of the highest point within the width on either side
+   * (in every horizontal direction), and half the initial spacing above it;
+   * the bottom of the domain if there is no point. Vertical is the last
+   * direction.
+   */
+  template <int dim>
+  class WaterLevel : public Postprocessor<dim>
+  {
+  public:
+    WaterLevel(const std::vector<GaugeParameters<dim>> &parameters,
+               const BackgroundGrid<dim>               &grid);
+
+    void
+    execute(const StepView<dim> &view, StatisticsTable &statistics) override;
+
+  private:
+    const std::vector<GaugeParameters<dim>> gauges;
+    const double                            bottom; // [m]
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_postprocess_postprocessor_table_h
+#define seiche_postprocess_postprocessor_table_h
+
+#include <seiche/postprocess/postprocessor.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  class InputFile;
+
+  /**
+   * @brief All postprocessors of a scene: declares their entries, makes them
+   * and runs them in the order of the table.
+   *
+   * Always there: the ledger (mass_and_energy). By instance subsections of
+   * the parameter file: "Front NAME", "Gauge NAME", "Probe NAME",
+   * "Tracked point NAME", "Force NAME", "Error NAME", "Score NAME". By
+   * entries of "Output": grid, points, HDF5 series.
+   */
+  template <int dim>
+  class PostprocessorList
+  {
+  public:
+    explicit PostprocessorList(const InputFile &input);
+    ~PostprocessorList();
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Check the parsed entries (names of columns and walls, expressions,
+    /// reference tables). InputError with place.
+    void
+    check(const BackgroundGrid<dim> &grid) const;
+
+    /// Make the postprocessors. @p directory empty: no files (validation).
+    void
+    make(const std::string         &directory,
+         const BackgroundGrid<dim> &grid,
+         const MPI_Comm             communicator);
+
+    void
+    execute(const StepView<dim> &view, StatisticsTable &statistics);
+
+    /// Fills "ledger" and "errors" of the summary.
+    void
+    finish(const StatisticsTable &statistics, nlohmann::ordered_json &summary);
+
+    /// Energy [J] over its start, for the progress line.
+    double
+    relative_energy() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_postprocess_scores_h
+#define seiche_postprocess_scores_h
+
+#include <seiche/postprocess/reference_table.h>
+#include <seiche/postprocess/statistics_table.h>
+#include <seiche/scene/expression.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  class InputFile;
+
+  /// prm entries of "Score NAME".
+  struct ScoreParameters
+  {
+    static constexpr const char *kind = "Score";
+
+    std::string name;
+    std::string column;
+    std::string time_column = "time";
+    std::string reference   = "0";
+    std::string table; // file name, or empty
+    std::string table_columns = "0, 1";
+    std::string table_factors = "1, 1";
+    std::string interpolation = "linear";
+    std::string measure       = "rms";
+    bool        relative      = false;
+    std::string times;      // [s], or empty
+    double      from  = 0.; ///< [s]
+    double      to    = 0.; ///< [s], 0: end of the run
+    double      scale = 1.;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    /// @p columns are the names that the statistics will have.
+    void
+    check(const InputFile                &input,
+          const std::vector<std::string> &columns) const;
+  };
+
+  /**
+   * @brief One number for a run: a column of the statistics against a
+   * reference curve.
+   *
+   * Deviation d = value - reference, or value/reference - 1. Measures over
+   * the rows in the window: rms and mean, weighted by the step size of each
+   * row (so that steps of unequal size do not bias them); mean absolute, the
+   * same of |d|; maximum of |d|; last d. With "Times" the column is
+   * interpolated linearly there and all samples count alike. The result is
+   * divided by "Scale".
+   *
+   * Left out: missing values, rows beyond the ends of a table, and with the
+   * time of the pressure the row before the first step, when none had been
+   * computed.
+   */
+  class Score
+  {
+  public:
+    /// Reads the table; InputError with place.
+    Score(const ScoreParameters &score_parameters, const InputFile &input);
+
+    /// The score, or nothing: @p warning then says why. Local.
+    std::optional<double>
+    evaluate(const StatisticsTable &statistics, std::string &warning) const;
+
+    const ScoreParameters parameters;
+
+  private:
+    /// The column at some time of the run.
+    struct Row
+    {
+      double time, value, weight;
+    };
+
+    /// Rows of the window, or samples at the times asked for.
+    std::vector<Row>
+    rows(const StatisticsTable &statistics, std::string &warning) const;
+
+    std::vector<Row>
+    sample(const std::vector<Row> &all, std::string &warning) const;
+
+    std::vector<double>                   times;
+    std::unique_ptr<const Expression<2>>  expression;
+    std::unique_ptr<const ReferenceTable> table;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_quadrature_quadrature_h
+#define seiche_quadrature_quadrature_h
+
+#include <seiche/grid/fill.h>
+#include <seiche/points/point_cloud.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <memory>
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  /**
+   * @brief Quadrature points of one cell; the weak forms do not know whether
+   * they are material or Gauss points.
+   */
+  template <int dim>
+  struct CellQuadrature
+  {
+    unsigned int size = 0;
+    std::array<dealii::AlignedVector<double>, dim> unit; ///< [size] in [0,1]
+    dealii::AlignedVector<double> mass;         ///< [kg], with the weight
+    dealii::AlignedVector<double> volume;       ///< [m^dim] V0, with the weight
+    dealii::AlignedVector<double> volume_ratio; ///< [-] J at t_n
+
+    dealii::Point<dim>
+    point(const unsigned int q) const
+    {
+      dealii::Point<dim> x;
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = unit[d][q];
+      return x;
+    }
+
+    void
+    clear()
+    {
+      size = 0;
+    }
+
+    void
+    push_back(const dealii::Point<dim> &x,
+              const double              point_mass,
+              const double              point_volume,
+              const double              ratio)
+    {
+      if (size == mass.size())
+        grow();
+      for (unsigned int d = 0; d < dim; ++d)
+        unit[d][size] = x[d];
+      mass[size]         = point_mass;
+      volume[size]       = point_volume;
+      volume_ratio[size] = ratio;
+      ++size;
+    }
+
+  private:
+    void
+    grow();
+  };
+
+  /// prm entries of subsection "Quadrature".
+  struct QuadratureParameters
+  {
+    std::string rule = "hybrid";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Gauss points in full cells (the hybrid rule)?
+    bool
+    gauss_in_full_cells() const
+    {
+      return rule == "hybrid";
+    }
+  };
+
+  /**
+   * @brief Yields the quadrature of each occupied cell of the current step.
+   */
+  template <int dim>
+  class Quadrature
+  {
+  public:
+    virtual ~Quadrature() = default;
+
+    /// Fill @p quadrature for an own occupied cell. Local.
+    virtual void
+    get(const unsigned int cell, CellQuadrature<dim> &quadrature) const = 0;
+  };
+
+  /// The table of rules: "material points" (the founding paper's) and
+  /// "hybrid" (Gauss points in full cells, both in cells near the surface,
+  /// weighted by Fill). @p incompressible: volume_ratio of Gauss points is
+  /// one, otherwise the V0-weighted mean of the cell's points. References must
+  /// outlive the object.
+  template <int dim>
+  std::unique_ptr<Quadrature<dim>>
+  make_quadrature(const QuadratureParameters &parameters,
+                  const PointCloud<dim>      &points,
+                  const Fill<dim>            &fill,
+                  const double                density,
+                  const bool                  incompressible);
+} // namespace seiche
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_simulation_run_report_h
+#define seiche_simulation_run_report_h
+
+#include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/timer_tree.h>
+
+#include <mpi.h>
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief What a run says: screen, run.log, timing.txt, summary.json.
+   *
+   * Rank 0 prints and writes; calls on other ranks do nothing (finish() is
+   * collective). On a terminal one line is overwritten at most once a second;
+   * elsewhere one line is printed per 5 % of the simulated time. run.log gets
+   * a plain line a step.
+   *
+   * In test mode only a compact log without times and machine data is
+   * printed; the same text goes to a file "output" in the current directory,
+   * which the test driver compares.
+   */
+  class RunReport
+  {
+  public:
+    struct Options
+    {
+      std::string directory;      ///< of the files; empty: no files
+      double      end_time  = 0.; ///< [s]
+      bool        test_mode = false;
+    };
+
+    /// Local.
+    RunReport(const Options &options, const MPI_Comm communicator);
+
+    /// Open run.log (and "output" in test mode) and write what was said so
+    /// far: until the input is checked, files of an earlier run stay. FileError
+    /// if that fails. Rank 0.
+    void
+    open_files();
+
+    /// Print a text as it is: what is run, how large it is.
+    void
+    header(const std::string &text);
+
+    /**
+     * A step is done.
+     *
+     * @param time   [s] end of the step
+     * @param dt     [s]
+     * @param newton iterations of this step
+     * @param krylov iterations of this step
+     * @param energy over its start [-]
+     */
+    void
+    progress(const double       time,
+             const double       dt,
+             const unsigned int newton,
+             const unsigned int krylov,
+             const double       energy);
+
+    /// Print the first time, count afterwards; @p detail (step, place) is
+    /// printed with the first and does not distinguish warnings.
+    void
+    warn(const std::string &text, const std::string &detail = "");
+
+    /// End the progress line and note the reason of a failure in run.log.
+    /// Never throws.
+    void
+    fail(const std::string &text) noexcept;
+
+    /**
+     * Add seconds and memory to the summary, write summary.json and
+     * timing.txt, print counts of warnings, the timer tree and the last line.
+     * Numbers that are not finite become null and are listed by name in
+     * "not_finite". Collective.
+     */
+    void
+    finish(const nlohmann::ordered_json &summary, const TimerTree &timer);
+
+  private:
+    /// A line for screen and run.log that ends a progress line first.
+    void
+    print(const std::string &text);
+    void
+    end_progress_line();
+    /// A line for run.log alone.
+    void
+    write_log(const std::string &text);
+    void
+    test_line(const std::string &text);
+    void
+    test_summary(const nlohmann::ordered_json &summary);
+
+    const Options  options;
+    const MPI_Comm communicator;
+    const bool     speaks; // rank 0
+    const bool     on_terminal;
+
+    GrowingFile log, test_output;
+    std::string early_log; // before open_files()
+
+    std::vector<std::pair<std::string, unsigned int>> warnings;
+
+    std::size_t progress_width = 0;   // of the line on the terminal
+    double      last_shown     = -1.; // wall seconds
+    double      last_share     = 0.;
+    double      rate           = 0.; // simulated seconds per wall second
+    double      rate_wall      = 0.; // wall seconds at the last step
+    double      rate_time      = 0.; // [s] simulated time then
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_simulation_scene_h
+#define seiche_simulation_scene_h
+
+#include <seiche/constitutive/newtonian_fluid.h>
+#include <seiche/formulation/formulation.h>
+#include <seiche/formulation/ghost_penalty.h>
+#include <seiche/grid/time_scheme.h>
+#include <seiche/parameters/input_file.h>
+#include <seiche/points/seeding.h>
+#include <seiche/postprocess/postprocessor_table.h>
+#include <seiche/quadrature/quadrature.h>
+#include <seiche/scene/background_grid.h>
+#include <seiche/scene/body_force.h>
+#include <seiche/scene/region.h>
+#include <seiche/solve/linear_solver.h>
+#include <seiche/solve/newton.h>
+#include <seiche/solve/time_stepper.h>
+#include <seiche/transfer/transfer.h>
+
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief All parameters of a run: one struct a topic, each declared where it
+   * is used. Constant after check().
+   */
+  template <int dim>
+  struct Scene
+  {
+    /// Finds the instances (bodies, obstacles, probes). @p input must outlive
+    /// the scene.
+    explicit Scene(const InputFile &input);
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// After parsing. Throws InputError for what does not fit together.
+    void
+    check(const InputFile &input);
+
+    /// Constants of the weak forms.
+    MaterialConstants
+    material() const;
+
+    const InputFile &input;
+
+    GridParameters<dim>                   grid;
+    BodyForceParameters<dim>              body_force;
+    FluidParameters                       fluid;
+    std::vector<FluidBodyParameters<dim>> bodies;
+    SeedingParameters                     seeding;
+    FormulationParameters                 formulation;
+    QuadratureParameters                  quadrature;
+    FreeSurfaceParameters                 free_surface;
+    double                                volume_relaxation_time = 0.; // [s]
+    TimeStepParameters                    time;
+    TimeSchemeParameters                  time_scheme;
+    TransferParameters                    transfer;
+    NewtonParameters                      newton;
+    LinearSolverParameters                linear_solver;
+    PostprocessorList<dim>                postprocessors;
+    bool                                  test_log = false;
+  };
+} // namespace seiche
+
+#endif

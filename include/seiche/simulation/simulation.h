@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_simulation_simulation_h
+#define seiche_simulation_simulation_h
+
+#include <seiche/simulation/run_report.h>
+#include <seiche/simulation/scene.h>
+#include <seiche/solve/velocity_projection.h>
+#include <seiche/utilities/timer_tree.h>
+
+#include <string>
+
+namespace seiche
+{
+  /**
+   * @brief One run: owns the objects of the method and calls them in order.
+   *
+   * A step of the implicit material point method (Sulsky 1994; founding
+   * paper, section 5): locate the points and find the occupied cells;
+   * points to grid; Newton for the displacement (and pressure) of the grid;
+   * grid to points. The grid carries nothing from step to step. Points are
+   * written only after Newton has converged and the step is accepted, so a
+   * rejected step costs nothing but its time.
+   */
+  template <int dim>
+  class Simulation
+  {
+  public:
+    /// Build the grid and fill it. Throws InputError; writes no file.
+    /// References must outlive the run. Collective.
+    Simulation(Scene<dim>        &scene,
+               const std::string &directory,
+               RunReport         &report);
+
+    /// From the start to the end time, then the summary. Collective.
+    void
+    run();
+
+  private:
+    void
+    step();
+
+    /// Occupied cells, fill, nodal fields of the points where they are.
+    void
+    find_material();
+
+    /// One attempt at the step with state.dt; empty, or why it failed.
+    std::string
+    try_step();
+
+    /// Velocity (and acceleration, pressure) that fit the constraint.
+    void
+    prepare_start();
+
+    void
+    postprocess();
+    void
+    finish();
+
+    /// Largest speed over the cell edge [1/s], all ranks.
+    double
+    speed_per_cell() const;
+
+    std::set<PointColumn>
+    point_columns() const;
+
+    Scene<dim>        &scene;
+    const std::string  directory;
+    const MPI_Comm     communicator;
+    RunReport         &report;
+    TimerTree          timer;
+
+    const BackgroundGrid<dim>                grid;
+    CellLocator<dim>                         locator;
+    const std::unique_ptr<TimeScheme<dim>>   time_scheme;
+    const std::unique_ptr<Formulation<dim>>  formulation;
+    PointCloud<dim>                          points;
+    const SeedingResult                      seeding;
+    Occupancy<dim>                           occupancy;
+    Fill<dim>                                fill;
+    const std::unique_ptr<Quadrature<dim>>   quadrature;
+    const BodyForce<dim>                     body_force;
+    const Transfer<dim>                      transfer;
+    GridState<dim>                           state;
+    BlockMatrix<dim>                         matrix;
+    Assembler<dim>                           assembler;
+    LinearSolver<dim>                        linear_solver;
+    VelocityProjection<dim>                  velocity_projection;
+    Newton<dim>                              newton;
+    TimeStepper                              time_stepper;
+    StatisticsTable                          statistics;
+
+    typename GridState<dim>::Vector inertia_offset, rate_offset;
+
+    NewtonResult  last;             ///< of the step just done
+    std::uint64_t newton_total = 0, krylov_total = 0;
+    std::uint64_t occupied_max = 0, unknowns_max = 0;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_solve_assembler_h
+#define seiche_solve_assembler_h
+
+#include <seiche/formulation/formulation.h>
+#include <seiche/formulation/ghost_penalty.h>
+#include <seiche/quadrature/quadrature.h>
+#include <seiche/scene/body_force.h>
+#include <seiche/solve/block_matrix.h>
+
+namespace seiche
+{
+  /**
+   * @brief Loops over occupied cells and ghost faces: residual and tangent.
+   *
+   * The system is (tangent) (update) = -(residual). Owns the cell workspace;
+   * references must outlive it.
+   */
+  template <int dim>
+  class Assembler
+  {
+  public:
+    using Vector      = typename GridState<dim>::Vector;
+    using BlockVector = typename GridState<dim>::BlockVector;
+
+    Assembler(const Formulation<dim>      &formulation,
+              const Quadrature<dim>       &quadrature,
+              const Fill<dim>             &fill,
+              const BodyForce<dim>        &body_force,
+              const FreeSurfaceParameters &free_surface);
+
+    /// Scalars of the step, start time [s] and the nodal offsets of
+    /// acceleration and velocity (TimeScheme), which must outlive the step.
+    void
+    begin(const StepCoefficients &coefficients,
+          const double            time,
+          const Vector           &inertia_offset,
+          const Vector           &rate_offset);
+
+    /// Residual of the state; the part of fixed components goes to
+    /// state.reaction instead, their residual is zero. Collective.
+    void
+    residual(GridState<dim> &state, BlockVector &residual);
+
+    /// Derivative of residual(). Collective.
+    void
+    tangent(const GridState<dim> &state, BlockMatrix<dim> &matrix);
+
+    const StepCoefficients &
+    coefficients() const
+    {
+      return data.coefficients;
+    }
+
+    /// tau of a cell of this size [m] (speed zero).
+    Tau
+    reference_tau(const double size) const;
+
+    /// tau1 [m^4/N] of the pressure's ghost penalty: the transient one for
+    /// every choice of the subscales' tau, which may be infinite or zero.
+    double
+    ghost_tau(const double size) const;
+
+    /// Size of the body acceleration [m/s^2], zero if it is switched off.
+    double
+    body_force_scale() const;
+
+    const Formulation<dim>      &formulation;
+    const FreeSurfaceParameters &free_surface;
+
+  private:
+    /// Fill the workspace with cell and nodal values.
+    void
+    gather(const unsigned int cell, const GridState<dim> &state);
+
+    /// f(face matrix, coefficients) on each ghost face of this rank.
+    template <typename Function>
+    void
+    for_each_ghost_face(const Function &f);
+
+    const Quadrature<dim> &quadrature;
+    const Fill<dim>       &fill;
+    const Occupancy<dim>  &occupancy;
+    const BodyForce<dim>  &body_force;
+    double                 time           = 0.;
+    const Vector          *inertia_offset = nullptr;
+    const Vector          *rate_offset    = nullptr;
+    CellData<dim>          data;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_solve_linear_solver_h
+#define seiche_solve_linear_solver_h
+
+#include <seiche/solve/assembler.h>
+#include <seiche/solve/block_matrix.h>
+#include <seiche/solve/block_preconditioner.h>
+
+#include <functional>
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  /// prm entries of the linear solver (subsection "Solver").
+  struct LinearSolverParameters
+  {
+    std::string  solver             = "automatic";
+    double       tolerance          = 1e-2;
+    double       projection_tolerance = 1e-3;
+    unsigned int maximum_iterations = 200;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /// What became of a solve.
+  struct LinearResult
+  {
+    bool         converged  = false;
+    unsigned int iterations = 0; ///< Krylov iterations, 0 for direct
+  };
+
+  /**
+   * @brief Solves the linear systems of a step.
+   *
+   * Small systems (a function of the global number of unknowns only) go to a
+   * sparse direct solver, the others to flexible GMRES with the
+   * block-triangular preconditioner. Rows of the pressure are scaled by
+   * rho C_a h, so that volume errors count as forces in the norm.
+   */
+  template <int dim>
+  class LinearSolver
+  {
+  public:
+    using BlockVector = typename BlockMatrix<dim>::BlockVector;
+
+    LinearSolver(const LinearSolverParameters &parameters,
+                 const MaterialConstants      &material);
+
+    /// Use @p matrix, assembled with @p assembler's coefficients, for the
+    /// next solves. @p mass: lumped nodal mass [kg]. Collective.
+    void
+    initialize(const BlockMatrix<dim>                    &matrix,
+               const Assembler<dim>                      &assembler,
+               const typename GridState<dim>::Vector     &mass);
+
+    /// Reduce the scaled residual by @p tolerance, from zero; a solve that
+    /// fails is repeated once with a new AMG hierarchy. The mean of the
+    /// pressure is zero where only its gradient counts. Collective.
+    LinearResult
+    solve(BlockVector       &solution,
+          const BlockVector &right_hand_side,
+          const double       tolerance);
+
+    /// sqrt(sum of squares) of a residual with the pressure's row scaling.
+    double
+    norm(const BlockVector &residual) const;
+
+    /// Factor [Pa/m] of the pressure rows.
+    double
+    pressure_row_scale() const
+    {
+      return row_scale;
+    }
+
+  private:
+    LinearResult
+    solve_iteratively(BlockVector       &solution,
+                      const BlockVector &right_hand_side,
+                      const double       tolerance);
+
+    const LinearSolverParameters parameters;
+    const MaterialConstants      material;
+    const BlockMatrix<dim>      *matrix    = nullptr;
+    std::function<void()>        set_up;   ///< of the preconditioner
+    double                       row_scale = 1.;
+    bool                         direct    = false;
+    bool                         closed    = false; ///< p up to a constant
+    BlockPreconditioner<dim>     preconditioner;
+    BlockVector                  scaled;
+  };
+} // namespace seiche
+
+#endif

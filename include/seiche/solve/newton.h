@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_solve_newton_h
+#define seiche_solve_newton_h
+
+#include <seiche/solve/assembler.h>
+#include <seiche/solve/linear_solver.h>
+
+#include <string>
+
+namespace seiche
+{
+  /// prm entries of Newton's iteration (subsection "Solver").
+  struct NewtonParameters
+  {
+    double       tolerance          = 1e-4;
+    double       absolute_tolerance = 1e-9;
+    unsigned int maximum_iterations = 12;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+  struct NewtonResult
+  {
+    bool         converged         = false;
+    unsigned int iterations        = 0;
+    unsigned int krylov_iterations = 0;
+    std::string  failure; ///< why not, for the log
+  };
+
+  /**
+   * @brief Newton's iteration with exact tangent and inexact linear solves.
+   *
+   * The residual of each field (momentum [N], volume [m^dim]) must fall below
+   * tolerance times its first value, or below the absolute tolerance times
+   * the forces (volumes) at work. Forcing terms: Eisenstat and Walker 1996,
+   * choice 2, not below what the convergence test can use.
+   */
+  template <int dim>
+  class Newton
+  {
+  public:
+    using BlockVector = typename GridState<dim>::BlockVector;
+
+    Newton(const NewtonParameters &parameters,
+           const double            largest_forcing,
+           Assembler<dim>         &assembler,
+           BlockMatrix<dim>       &matrix,
+           LinearSolver<dim>      &solver);
+
+    /// Solve for state.solution, starting at its value; the assembler has
+    /// been begun for the step. state.reaction belongs to the solution.
+    /// Collective.
+    NewtonResult
+    solve(GridState<dim> &state);
+
+  private:
+    struct Norms
+    {
+      double momentum = 0., volume = 0.;
+    };
+
+    Norms
+    norms(const BlockVector &residual) const;
+
+    /// Forces and volumes that the absolute tolerance refers to.
+    Norms
+    scales(const GridState<dim> &state) const;
+
+    const NewtonParameters parameters;
+    const double           largest_forcing;
+    Assembler<dim>        &assembler;
+    BlockMatrix<dim>      &matrix;
+    LinearSolver<dim>     &solver;
+    BlockVector            residual, update;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_solve_time_stepper_h
+#define seiche_solve_time_stepper_h
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  class InputFile;
+
+  /// prm entries of the step size (subsection "Time").
+  struct TimeStepParameters
+  {
+    double      end_time             = 0.;
+    double      step                 = 1.;
+    std::string control              = "fixed";
+    double      cfl                  = 0.4;
+    double      minimum_step         = 0.;
+    double      maximum_displacement = 1.;
+    std::string projection           = "each step";
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(const InputFile &input) const;
+
+    bool
+    projects_each_step() const
+    {
+      return projection == "each step";
+    }
+  };
+
+  /**
+   * @brief Size of the next step: fixed or from the CFL number, halved after
+   * a failure, restored by and by.
+   */
+  class TimeStepper
+  {
+  public:
+    explicit TimeStepper(const TimeStepParameters &parameters);
+
+    /// Size [s] of the step that starts now. @p speed_per_cell: largest speed
+    /// over the cell's edge [1/s], all ranks.
+    double
+    next_step(const double speed_per_cell);
+
+    /// The step failed: the size of its repetition, or NumericalError with
+    /// the reason and advice at the smallest size.
+    double
+    repeat(const std::string &reason);
+
+    /// The step of next_step() or repeat() is done.
+    void
+    accept();
+
+    double
+    time() const
+    {
+      return now;
+    }
+    bool
+    finished() const;
+    unsigned int
+    steps() const
+    {
+      return n_steps;
+    }
+    unsigned int
+    rejected() const
+    {
+      return n_rejected;
+    }
+
+  private:
+    double
+    smallest_step() const;
+
+    const TimeStepParameters parameters;
+    double                   now        = 0.; ///< [s] start of the step
+    double                   dt         = 0.; ///< [s] of the step
+    double                   reduction  = 1.; ///< after failures
+    unsigned int             good_steps = 0;  ///< since the last failure
+    unsigned int             n_steps    = 0;
+    unsigned int             n_rejected = 0;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_solve_velocity_projection_h
+#define seiche_solve_velocity_projection_h
+
+#include <seiche/solve/assembler.h>
+#include <seiche/solve/linear_solver.h>
+
+namespace seiche
+{
+  /**
+   * @brief Makes the start velocity of a step satisfy the discrete
+   * incompressibility constraint.
+   *
+   * One linear solve of the step's own system with theta = 1, no body force,
+   * no viscosity, no volume recovery, at u = p = 0, the ghost penalty on
+   * accelerations: v_0 = u/dt (doc/theory.md, "Projection of the start
+   * velocity"). Without it the midpoint scheme repeats every violation in v_0
+   * with factor -rho_inf, which costs pressure noise 2 rho h dv/dt.
+   */
+  template <int dim>
+  class VelocityProjection
+  {
+  public:
+    /// References must outlive the object.
+    VelocityProjection(Assembler<dim>    &assembler,
+                       BlockMatrix<dim>  &matrix,
+                       LinearSolver<dim> &solver,
+                       const double       tolerance);
+
+    /// state.velocity_start from state.velocity_n; ghosts too. Leaves the
+    /// solution of the state untouched. Collective.
+    LinearResult
+    apply(GridState<dim> &state);
+
+    /**
+     * Consistent start of schemes that carry an acceleration: a_0 and p_0
+     * from M a_0 + B^T p_0 = f and div a_0 = tr(l l), l = grad v_0, the second
+     * time derivative of J = 1 (doc/theory.md, "Consistent start"). Into
+     * state.acceleration_n and state.pressure_guess. Collective.
+     */
+    LinearResult
+    consistent_start(GridState<dim> &state);
+
+  private:
+    using Vector      = typename GridState<dim>::Vector;
+    using BlockVector = typename GridState<dim>::BlockVector;
+
+    /// Solve once at u = p = 0 into @p update.
+    LinearResult
+    solve(GridState<dim>         &state,
+          const StepCoefficients &coefficients,
+          const Vector           &inertia_offset,
+          const Vector           &rate_offset,
+          BlockVector            &update);
+
+    Assembler<dim>    &assembler;
+    BlockMatrix<dim>  &matrix;
+    LinearSolver<dim> &solver;
+    const double       tolerance;
+  };
+} // namespace seiche
+
+#endif

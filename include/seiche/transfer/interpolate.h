@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_transfer_interpolate_h
+#define seiche_transfer_interpolate_h
+
+#include <seiche/grid/occupancy.h>
+#include <seiche/points/point_cloud.h>
+
+namespace seiche
+{
+  /// Set a vector column of the points to a nodal vector field (ghosts valid)
+  /// at their positions. Local.
+  template <int dim>
+  void
+  interpolate_to_points(const Occupancy<dim>                  &occupancy,
+                        const typename Occupancy<dim>::Vector &field,
+                        const PointColumn                      column,
+                        PointCloud<dim>                       &points);
+} // namespace seiche
+
+#endif

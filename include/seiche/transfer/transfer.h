@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_transfer_transfer_h
+#define seiche_transfer_transfer_h
+
+#include <seiche/grid/grid_state.h>
+#include <seiche/points/point_cloud.h>
+
+#include <set>
+#include <string>
+
+namespace seiche
+{
+  class InputFile;
+
+  /**
+   * @brief The choice of transfers (prm subsection "Transfer"): one name is a
+   * row of the table in transfer.cc.
+   */
+  struct TransferParameters
+  {
+    std::string method        = "affine FLIP";
+    double      flip_fraction = 0.95; // of "PIC/FLIP blend"
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(const InputFile &input) const;
+  };
+
+  /// How velocities return to the points.
+  enum class VelocityUpdate
+  {
+    pic,               ///< v = N v_np1
+    flip_increment,    ///< v += N (v_np1 - v_n)
+    flip_acceleration, ///< v += dt ((1-gamma) a_p + gamma N a_np1), gamma 1/2
+    blend              ///< flip_fraction flip_increment + rest pic
+  };
+
+  /// One row of the table of transfers.
+  struct TransferMethod
+  {
+    const char    *name;
+    bool           affine; ///< points to grid uses the velocity gradient
+    VelocityUpdate update;
+    const char    *description;
+  };
+
+  /// Row by name; Assert if there is none (the pattern refuses others).
+  const TransferMethod &
+  transfer_method(const std::string &name);
+
+  /// Result of a trial of the convective phase, all ranks.
+  struct StepCheck
+  {
+    double min_det_F        = 1.; ///< of the increment, at the points
+    double max_displacement = 0.; ///< in cells of the point's cell
+    bool   finite           = true;
+
+    /// Why the step must not be accepted, or empty. @p limit: largest
+    /// displacement in cells.
+    std::string
+    problem(const double limit) const;
+  };
+
+  /**
+   * @brief Points to grid and back (Q1 and higher; sums in (cell, id) order).
+   */
+  template <int dim>
+  class Transfer
+  {
+  public:
+    /// @p grid_occupancy must outlive the object.
+    Transfer(const TransferParameters &transfer_parameters,
+             const Occupancy<dim>     &grid_occupancy);
+
+    /// Columns that the method needs beyond the always present ones.
+    static std::set<PointColumn>
+    columns(const TransferParameters &parameters);
+
+    /// Fills mass, velocity_n (fixed components zero), acceleration_n (if
+    /// present), pressure_guess of the state; lumped mass. Nodes without mass
+    /// get zero. velocity_start is set to velocity_n. Collective.
+    void
+    points_to_grid(const PointCloud<dim> &points, GridState<dim> &state) const;
+
+    /// What grid_to_points would do to the points. Collective.
+    StepCheck
+    check(const GridState<dim> &state, const PointCloud<dim> &points) const;
+
+    /// Position, velocity, gradient, acceleration, volume ratio and pressure
+    /// of the points. (x += N u; J *= det f_1; C = grad_n v_np1 f_1^-1.) In
+    /// the irreducible form the pressure is left to the caller. Local.
+    void
+    grid_to_points(const GridState<dim> &state, PointCloud<dim> &points) const;
+
+  private:
+    const TransferParameters parameters;
+    const TransferMethod    &method;
+    const Occupancy<dim>    &occupancy;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_utilities_checked_file_h
+#define seiche_utilities_checked_file_h
+
+#include <functional>
+#include <ostream>
+#include <string>
+
+namespace seiche
+{
+  /**
+   * @brief Writing files that are either whole or absent.
+   *
+   * Every file that matters is written under a temporary name in its own
+   * directory, flushed, checked (state of the stream and size on the disk),
+   * synchronised and renamed. Libraries that lose data silently on a full
+   * disk are therefore never handed a file name, only a stream.
+   */
+  namespace checked_file
+  {
+    /// Create the directory with its parents; FileError if that fails or it
+    /// is not writable. Local: call it on one rank.
+    void
+    make_directory(const std::string &directory);
+
+    /// Write @p filename by @p fill under the protocol above. FileError names
+    /// the file, the bytes and the cause. Local.
+    void
+    write(const std::string                         &filename,
+          const std::function<void(std::ostream &)> &fill);
+
+    /// The same for a library that insists on a file name: @p fill gets the
+    /// temporary name and returns only if all its calls succeeded; @p check
+    /// re-opens it and returns false if something is missing.
+    void
+    write_by_name(const std::string                              &filename,
+                  const std::function<void(const std::string &)> &fill,
+                  const std::function<bool(const std::string &)> &check);
+  } // namespace checked_file
+
+  /**
+   * @brief A text file that grows by a line a step (statistics, probes, log).
+   *
+   * The lines so far stay readable while the run goes on. Each append is
+   * flushed and checked; FileError on the first short write.
+   */
+  class GrowingFile
+  {
+  public:
+    GrowingFile() = default;
+    ~GrowingFile();
+    GrowingFile(const GrowingFile &) = delete;
+    GrowingFile &
+    operator=(const GrowingFile &) = delete;
+
+    void
+    open(const std::string &filename);
+    bool
+    is_open() const;
+    /// Append the text (with its line end). Local.
+    void
+    append(const std::string &text);
+    /// Flush to the disk and close, checked.
+    void
+    close();
+
+  private:
+    std::string filename;
+    int         descriptor = -1;
+    std::size_t bytes      = 0;
+  };
+
+  /**
+   * @brief Lock of an output directory: the second run in it is refused.
+   */
+  class DirectoryLock
+  {
+  public:
+    DirectoryLock() = default;
+    ~DirectoryLock();
+    DirectoryLock(const DirectoryLock &) = delete;
+    DirectoryLock &
+    operator=(const DirectoryLock &) = delete;
+
+    /// FileError if another run holds the lock.
+    void
+    acquire(const std::string &directory);
+
+  private:
+    int descriptor = -1;
+  };
+} // namespace seiche
+
+#endif

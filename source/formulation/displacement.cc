@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/formulation/displacement.h>
+#include <seiche/formulation/momentum_terms.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    struct PointState
+    {
+      double         volume_t, J_1;
+      Tensor<2, dim> velocity_gradient, stress;
+
+      PointState(const CellData<dim>        &cell,
+                 const PointKinematics<dim> &point,
+                 const unsigned int          q,
+                 const MaterialConstants    &material)
+      {
+        // finite kappa needs the whole volume error: no relaxation here
+        const double J_n = cell.quadrature.volume_ratio[q];
+        volume_t         = point.det_t * J_n * cell.quadrature.volume[q];
+        J_1              = point.det_1 * J_n;
+        if (cell.coefficients.viscous && !material.law.is_inviscid())
+          {
+            velocity_gradient =
+              point.gradient(cell.rate_velocity, point.gradient_t);
+            stress = material.law.stress(velocity_gradient);
+          }
+        const double pressure = -material.bulk_modulus * (J_1 - 1.);
+        for (unsigned int i = 0; i < dim; ++i)
+          stress[i][i] -= pressure;
+      }
+    };
+  } // namespace
+
+  template <int dim>
+  bool
+  Displacement<dim>::has_pressure() const
+  {
+    return false;
+  }
+
+  template <int dim>
+  void
+  Displacement<dim>::residual(CellData<dim> &cell) const
+  {
+    cell.clear_residual();
+    PointKinematics<dim> point;
+    for (unsigned int q = 0; q < cell.quadrature.size; ++q)
+      {
+        point.evaluate(cell, q, /*with_end=*/false);
+        const PointState<dim> state(cell, point, q, this->material);
+        MomentumTerms<dim>::add_residual(cell,
+                                         point,
+                                         cell.quadrature.mass[q],
+                                         state.volume_t,
+                                         point.value(cell.acceleration),
+                                         cell.body_force_at(q),
+                                         state.stress);
+      }
+  }
+
+  template <int dim>
+  void
+  Displacement<dim>::tangent(CellData<dim> &cell) const
+  {
+    cell.clear_tangent();
+    const double viscosity =
+      cell.coefficients.viscous ? this->material.law.tangent_viscosity() : 0.;
+    PointKinematics<dim> point;
+    for (unsigned int q = 0; q < cell.quadrature.size; ++q)
+      {
+        point.evaluate(cell, q, /*with_end=*/true);
+        const PointState<dim> state(cell, point, q, this->material);
+        MomentumTerms<dim>::add_tangent(cell,
+                                        point,
+                                        cell.quadrature.mass[q],
+                                        state.volume_t,
+                                        viscosity,
+                                        this->material.bulk_modulus * state.J_1,
+                                        state.velocity_gradient,
+                                        state.stress);
+      }
+  }
+
+  template <int dim>
+  void
+  Displacement<dim>::update_points(PointCloud<dim> &points) const
+  {
+    const double *ratio    = points.data(PointColumn::volume_ratio);
+    double       *pressure = points.data(PointColumn::pressure);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      pressure[p] = -this->material.bulk_modulus * (ratio[p] - 1.);
+  }
+
+  template class Displacement<2>;
+  template class Displacement<3>;
+} // namespace seiche

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/formulation/displacement_pressure_vms.h>
+#include <seiche/formulation/momentum_terms.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Fields and subscales at one quadrature point (doc/theory.md, VMS).
+    template <int dim>
+    struct PointState
+    {
+      double         volume_n, volume_t, J_1, rho_t;
+      double         constraint;      // g = J_1 - 1 + p/kappa
+      double         fine_pressure;   // p~ = -tau2 g
+      Tensor<1, dim> acceleration, pressure_gradient, momentum_residual;
+      Tensor<2, dim> velocity_gradient, stress; // S = s - (p + p~) I
+
+      PointState(const CellData<dim>        &cell,
+                 const PointKinematics<dim> &point,
+                 const unsigned int          q,
+                 const MaterialConstants    &material,
+                 const Tau                  &tau)
+      {
+        const auto &quadrature = cell.quadrature;
+        // weights use the relaxed J, never the drifted one
+        const double J_n = 1. + cell.coefficients.volume_recovery *
+                                  (quadrature.volume_ratio[q] - 1.);
+        volume_n     = J_n * quadrature.volume[q];
+        volume_t     = point.det_t * volume_n;
+        J_1          = point.det_1 * J_n;
+        rho_t        = quadrature.mass[q] / volume_t;
+        acceleration = point.value(cell.acceleration);
+
+        const double pressure = point.value(cell.pressure);
+        pressure_gradient = point.gradient(cell.pressure, point.gradient_t);
+        constraint        = J_1 - 1. + pressure / material.bulk_modulus;
+        fine_pressure     = -tau.continuity * constraint;
+        momentum_residual = rho_t * (cell.body_force_at(q) - acceleration) -
+                            pressure_gradient;
+
+        if (cell.coefficients.viscous && !material.law.is_inviscid())
+          {
+            velocity_gradient =
+              point.gradient(cell.rate_velocity, point.gradient_t);
+            stress = material.law.stress(velocity_gradient);
+          }
+        if (cell.coefficients.rate_constraint > 0.)
+          {
+            const Tensor<2, dim> l =
+              point.gradient(cell.rate_velocity, point.gradient_t);
+            constraint -= cell.coefficients.rate_constraint * trace(l * l);
+          }
+        for (unsigned int i = 0; i < dim; ++i)
+          stress[i][i] -= pressure + fine_pressure;
+      }
+    };
+  } // namespace
+
+  template <int dim>
+  bool
+  DisplacementPressureVMS<dim>::has_pressure() const
+  {
+    return true;
+  }
+
+  template <int dim>
+  void
+  DisplacementPressureVMS<dim>::residual(CellData<dim> &cell) const
+  {
+    constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+    cell.clear_residual();
+    const Tau            tau = this->tau(cell);
+    PointKinematics<dim> point;
+    for (unsigned int q = 0; q < cell.quadrature.size; ++q)
+      {
+        point.evaluate(cell, q, /*with_end=*/false);
+        const PointState<dim> state(cell, point, q, this->material, tau);
+        MomentumTerms<dim>::add_residual(cell,
+                                         point,
+                                         cell.quadrature.mass[q],
+                                         state.volume_t,
+                                         state.acceleration,
+                                         cell.body_force_at(q),
+                                         state.stress);
+
+        const double coarse =
+          cell.quadrature.volume[q] *
+          (state.constraint + state.fine_pressure / this->material.bulk_modulus);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          cell.residual_p[a] += coarse * point.N[a];
+        if (!cell.sliver)
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              const double fine =
+                state.volume_t * tau.momentum * state.momentum_residual[i];
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                cell.residual_p[a] -= fine * point.gradient_t[i][a];
+            }
+      }
+    if (cell.sliver && tau.momentum > 0.)
+      sliver_residual(cell, tau.momentum);
+  }
+
+  template <int dim>
+  void
+  DisplacementPressureVMS<dim>::tangent(CellData<dim> &cell) const
+  {
+    constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+    cell.clear_tangent();
+    const Tau    tau       = this->tau(cell);
+    const double viscosity =
+      cell.coefficients.viscous ? this->material.law.tangent_viscosity() : 0.;
+    const double theta    = cell.coefficients.theta;
+    const double kappa    = this->material.bulk_modulus;
+    const double weight_g = 1. - tau.continuity / kappa;
+    PointKinematics<dim> point;
+    for (unsigned int q = 0; q < cell.quadrature.size; ++q)
+      {
+        point.evaluate(cell, q, /*with_end=*/true);
+        const PointState<dim> state(cell, point, q, this->material, tau);
+        const double          V0 = cell.quadrature.volume[q];
+        MomentumTerms<dim>::add_tangent(cell,
+                                        point,
+                                        cell.quadrature.mass[q],
+                                        state.volume_t,
+                                        viscosity,
+                                        tau.continuity * state.J_1,
+                                        state.velocity_gradient,
+                                        state.stress);
+        const auto &N = point.N;
+        const auto &g = point.gradient_t;
+        const auto &h = point.gradient_1;
+
+        // V_t tau1 {theta [(grad q.grad p) div du + grad q.(grad du) r
+        //                  - grad p.(grad du)^T grad q] + rho C_a grad q.du}
+        const double fine =
+          cell.sliver ? 0. : state.volume_t * tau.momentum;
+        alignas(64) double gp[n_nodes], gr[n_nodes]; // grad N.grad p, grad N.r
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            gp[a] = gr[a] = 0.;
+            for (unsigned int j = 0; j < dim; ++j)
+              {
+                gp[a] += g[j][a] * state.pressure_gradient[j];
+                gr[a] += g[j][a] * state.momentum_residual[j];
+              }
+          }
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            alignas(64) double gg[n_nodes];
+            for (unsigned int b = 0; b < n_nodes; ++b)
+              {
+                gg[b] = 0.;
+                for (unsigned int j = 0; j < dim; ++j)
+                  gg[b] += g[j][a] * g[j][b];
+              }
+            const double mass_term = weight_g * V0 / kappa * N[a];
+            for (unsigned int b = 0; b < n_nodes; ++b)
+              cell.pp[a][b] += mass_term * N[b] + fine * gg[b];
+
+            const double divergence = weight_g * V0 * state.J_1 * N[a];
+            const double inertia =
+              fine * state.rho_t * cell.coefficients.inertia;
+            for (unsigned int k = 0; k < dim; ++k)
+              {
+                const double from_p = theta * fine * state.pressure_gradient[k];
+                const double from_gp = theta * fine * gp[a];
+                const double from_g  = theta * fine * g[k][a];
+                const double from_a  = inertia * g[k][a];
+                for (unsigned int b = 0; b < n_nodes; ++b)
+                  cell.pu[k][a][b] += divergence * h[k][b] +
+                                      from_gp * g[k][b] + from_g * gr[b] -
+                                      from_p * gg[b] + from_a * N[b];
+              }
+            for (unsigned int i = 0; i < dim; ++i)
+              {
+                const double pressure_force =
+                  -weight_g * state.volume_t * g[i][a];
+                for (unsigned int b = 0; b < n_nodes; ++b)
+                  cell.up[i][a][b] += pressure_force * N[b];
+              }
+          }
+      }
+    if (cell.sliver && tau.momentum > 0.)
+      sliver_tangent(cell, tau.momentum);
+  }
+
+  namespace
+  {
+    /// Means over the points of a sliver cell.
+    template <int dim>
+    struct SliverMeans
+    {
+      static constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+
+      double         volume = 0., mass = 0.;
+      double         N[n_nodes] = {}; // mass-weighted
+      Tensor<1, dim> body_force;
+
+      SliverMeans(const CellData<dim> &cell)
+      {
+        PointKinematics<dim> point;
+        for (unsigned int q = 0; q < cell.quadrature.size; ++q)
+          {
+            const double m = cell.quadrature.mass[q];
+            point.shape(cell.quadrature.point(q), cell.extent);
+            volume += cell.quadrature.volume[q];
+            mass += m;
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              N[a] += m * point.N[a];
+            body_force += m * cell.body_force_at(q);
+          }
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          N[a] /= mass;
+        body_force /= mass;
+      }
+    };
+
+    /// f(grad_n N, weight) at two Gauss points per direction; weights sum to 1.
+    template <int dim, typename Function>
+    void
+    for_each_gauss_gradient(const Tensor<1, dim> &extent, const Function &f)
+    {
+      constexpr unsigned int n_points = 1u << dim;
+      PointKinematics<dim>   point;
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          Point<dim> x;
+          for (unsigned int d = 0; d < dim; ++d)
+            x[d] = 0.5 + ((q >> d) & 1u ? 0.5 : -0.5) / std::sqrt(3.);
+          point.shape(x, extent);
+          f(point.gradient_n, 1. / n_points);
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  DisplacementPressureVMS<dim>::sliver_residual(CellData<dim> &cell,
+                                                const double tau) const
+  {
+    constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+    const SliverMeans<dim> mean(cell);
+    Tensor<1, dim>         force = mean.body_force;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        force[i] -= mean.N[a] * cell.acceleration[i][a];
+    force *= mean.mass / mean.volume;
+
+    for_each_gauss_gradient(
+      cell.extent, [&](const double(&gradient)[dim][n_nodes], const double weight) {
+        const Tensor<1, dim> r =
+          force - PointKinematics<dim>::gradient(cell.pressure, gradient);
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            cell.residual_p[a] -=
+              weight * mean.volume * tau * r[i] * gradient[i][a];
+      });
+  }
+
+  template <int dim>
+  void
+  DisplacementPressureVMS<dim>::sliver_tangent(CellData<dim> &cell,
+                                               const double   tau) const
+  {
+    constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+    const SliverMeans<dim> mean(cell);
+    const double           inertia =
+      mean.mass / mean.volume * cell.coefficients.inertia;
+    for_each_gauss_gradient(
+      cell.extent, [&](const double(&gradient)[dim][n_nodes], const double weight) {
+        const double fine = weight * mean.volume * tau;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            for (unsigned int b = 0; b < n_nodes; ++b)
+              {
+                cell.pp[a][b] += fine * gradient[i][a] * gradient[i][b];
+                cell.pu[i][a][b] +=
+                  fine * gradient[i][a] * inertia * mean.N[b];
+              }
+      });
+  }
+
+  template class DisplacementPressureVMS<2>;
+  template class DisplacementPressureVMS<3>;
+} // namespace seiche

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/formulation/displacement.h>
+#include <seiche/formulation/displacement_pressure_vms.h>
+#include <seiche/formulation/formulation.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    struct FormulationEntry
+    {
+      const char *name;
+      std::unique_ptr<Formulation<dim>> (*make)(const MaterialConstants &,
+                                                const StabilizationParameters &);
+      const char *description;
+    };
+
+    template <int dim, typename Type>
+    std::unique_ptr<Formulation<dim>>
+    make(const MaterialConstants       &material,
+         const StabilizationParameters &stabilization)
+    {
+      return std::make_unique<Type>(material, stabilization);
+    }
+
+    template <int dim>
+    constexpr std::array<FormulationEntry<dim>, 2> formulation_table = {
+      {{"displacement-pressure",
+        make<dim, DisplacementPressureVMS<dim>>,
+        "mixed, with subscales"},
+       {"displacement",
+        make<dim, Displacement<dim>>,
+        "irreducible, pressure from the bulk modulus"}}};
+  } // namespace
+
+  void
+  FormulationParameters::add_parameters(ParameterHandler &prm)
+  {
+    std::string names, text = "Weak form.";
+    for (const auto &entry : formulation_table<2>)
+      {
+        names += (names.empty() ? "" : "|") + std::string(entry.name);
+        text += std::string(" ") + entry.name + ": " + entry.description + ";";
+      }
+    text.back() = '.';
+    prm.enter_subsection("Formulation");
+    prm.add_parameter("Name", name, text, Patterns::Selection(names));
+    prm.leave_subsection();
+    stabilization.add_parameters(prm);
+  }
+
+  template <int dim>
+  Tau
+  Formulation<dim>::tau(const CellData<dim> &cell) const
+  {
+    return stabilization.evaluate(cell.coefficients,
+                                  material.density,
+                                  cell.coefficients.viscous ?
+                                    material.law.tangent_viscosity() :
+                                    0.,
+                                  cell.size,
+                                  /*degree=*/1,
+                                  cell.start_speed);
+  }
+
+  template <int dim>
+  std::unique_ptr<Formulation<dim>>
+  make_formulation(const FormulationParameters &parameters,
+                   const MaterialConstants     &material)
+  {
+    for (const auto &entry : formulation_table<dim>)
+      if (parameters.name == entry.name)
+        return entry.make(material, parameters.stabilization);
+    AssertThrow(false, ExcInternalError()); // the pattern refuses other names
+    return nullptr;
+  }
+
+#define INSTANTIATE(dim)                                                       \
+  template class Formulation<dim>;                                             \
+  template std::unique_ptr<Formulation<dim>> make_formulation<dim>(            \
+    const FormulationParameters &, const MaterialConstants &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+} // namespace seiche

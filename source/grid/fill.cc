@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/fill.h>
+#include <seiche/utilities/shape_functions.h>
+
+#include <deal.II/base/geometry_info.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // doc/theory.md, table of cell classes: the only thresholds of this kind
+    constexpr double thin_below            = 0.7;
+    constexpr double sliver_below          = 0.3;
+    constexpr double inner_needs_fill      = 0.3;
+    constexpr double surface_weight_begins = 0.7;
+    constexpr double surface_weight_range  = 0.25;
+
+    double
+    rounded(const double fill)
+    {
+      return std::round(fill * 1e10) * 1e-10;
+    }
+  } // namespace
+
+  template <int dim>
+  Fill<dim>::Fill(const Occupancy<dim> &grid_occupancy, const bool gauss)
+    : occupancy(grid_occupancy)
+    , gauss_in_full_cells(gauss)
+  {}
+
+  template <int dim>
+  void
+  Fill<dim>::update(const PointCloud<dim> &points)
+  {
+    constexpr unsigned int n_nodes   = LinearShape<dim>::n_nodes;
+    const auto            &locator   = occupancy.locator;
+    const double          *volume    = points.data(PointColumn::initial_volume);
+    double                 total     = 0.;
+    fill.assign(locator.n_cells(), 0.);
+    node_fill.reinit(occupancy.scalar_partitioner());
+    double N[n_nodes];
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        double sum = 0., nodal[n_nodes] = {};
+        for (std::size_t p = points.first_point(cell);
+             p < points.first_point(cell + 1);
+             ++p)
+          {
+            LinearShape<dim>::values(
+              locator.to_unit(cell, points.position(p)), N);
+            sum += volume[p];
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              nodal[a] += N[a] * volume[p];
+          }
+        fill[cell] = rounded(sum / locator.measure(cell));
+        total += sum;
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          node_fill.local_element(nodes[a]) += nodal[a];
+      }
+    node_fill.compress(VectorOperation::add);
+
+    double excess = 0.;
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      {
+        const double full = occupancy.node_volume(i);
+        double      &f    = node_fill.local_element(i);
+        f                 = rounded(f / full);
+        excess += std::max(0., f - 1.) * full;
+      }
+    node_fill.update_ghost_values();
+    const MPI_Comm communicator = points.communicator;
+    overfull                    = Utilities::MPI::sum(excess, communicator) /
+               Utilities::MPI::sum(total, communicator);
+
+    classify();
+    collect_ghost_faces();
+  }
+
+  template <int dim>
+  void
+  Fill<dim>::classify()
+  {
+    const unsigned int n_cells = occupancy.locator.n_cells();
+    weight.assign(n_cells, 0.);
+    flags.assign(n_cells, 0);
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        const auto &neighbors = occupancy.vertex_neighbors(cell);
+        const bool  is_at_surface =
+          std::any_of(neighbors.begin(),
+                      neighbors.end(),
+                      [&](const unsigned int c) {
+                        return !occupancy.is_occupied(c);
+                      });
+        double              least = std::numeric_limits<double>::max();
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          least = std::min(least, node_fill.local_element(nodes[a]));
+
+        // distance to the surface first, fill second: lattices stretched by
+        // the flow make fill vary where there is no surface
+        if (gauss_in_full_cells)
+          weight[cell] =
+            is_at_surface ?
+              std::clamp((least - surface_weight_begins) / surface_weight_range,
+                         0.,
+                         1.) :
+              (least > inner_needs_fill ? 1. : 0.);
+        if (is_at_surface)
+          flags[cell] |= cut;
+        if (is_at_surface && fill[cell] < thin_below)
+          flags[cell] |= thin;
+        if (weight[cell] < 1. && fill[cell] < sliver_below)
+          flags[cell] |= sliver;
+      }
+    occupancy.exchange_to_ghosts(weight);
+    std::vector<double> values(flags.begin(), flags.end());
+    occupancy.exchange_to_ghosts(values);
+    std::copy(values.begin(), values.end(), flags.begin());
+  }
+
+  template <int dim>
+  void
+  Fill<dim>::collect_ghost_faces()
+  {
+    const auto        &locator = occupancy.locator;
+    const unsigned int my_rank = locator.n_owned() > 0 ? locator.owner(0) : 0;
+    faces.clear();
+    const auto add = [&](const unsigned int lower,
+                         const unsigned int upper,
+                         const unsigned int direction) {
+      if (is_cut(lower) || is_cut(upper))
+        faces.push_back({lower, upper, direction, is_thin(lower) || is_thin(upper)});
+    };
+    for (const unsigned int cell : occupancy.occupied_cells())
+      for (unsigned int direction = 0; direction < dim; ++direction)
+        {
+          const unsigned int above = locator.neighbor(cell, 2 * direction + 1);
+          if (above != locator.invalid && occupancy.is_occupied(above) &&
+              my_rank <= locator.owner(above))
+            add(cell, above, direction);
+          const unsigned int below = locator.neighbor(cell, 2 * direction);
+          if (below != locator.invalid && occupancy.is_occupied(below) &&
+              my_rank < locator.owner(below))
+            add(below, cell, direction);
+        }
+  }
+
+  template class Fill<2>;
+  template class Fill<3>;
+} // namespace seiche

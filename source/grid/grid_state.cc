@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/grid_state.h>
+
+namespace seiche
+{
+  template <int dim>
+  void
+  GridState<dim>::reinit(const Occupancy<dim> &occupancy,
+                         const bool            with_pressure,
+                         const bool            with_acceleration)
+  {
+    const auto &nodes      = occupancy.scalar_partitioner();
+    const auto &components = occupancy.vector_partitioner();
+    mass.reinit(nodes);
+    pressure_guess.reinit(nodes);
+    for (Vector *vector : {&velocity_n,
+                           &velocity_start,
+                           &velocity_np1,
+                           &acceleration_np1,
+                           &reaction})
+      vector->reinit(components);
+    if (with_acceleration)
+      acceleration_n.reinit(components);
+    solution.reinit(with_pressure ? 2 : 1);
+    solution.block(0).reinit(components);
+    if (with_pressure)
+      solution.block(1).reinit(nodes);
+    solution.collect_sizes();
+  }
+
+  template struct GridState<2>;
+  template struct GridState<3>;
+} // namespace seiche

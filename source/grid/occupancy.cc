@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/occupancy.h>
+#include <seiche/utilities/compatibility.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <numeric>
+#include <optional>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  Occupancy<dim>::Occupancy(const CellLocator<dim> &cell_locator,
+                            const unsigned int      degree)
+    : locator(cell_locator)
+    , fe(degree)
+    , dof_handler(cell_locator.grid.triangulation)
+  {
+    reinit();
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::reinit()
+  {
+    const auto &triangulation = locator.grid.triangulation;
+    global_cells              = triangulation.n_global_active_cells();
+    dof_handler.distribute_dofs(fe);
+    full_partitioner = std::make_shared<const Utilities::MPI::Partitioner>(
+      dof_handler.locally_owned_dofs(),
+      compatibility::locally_relevant_dofs(dof_handler),
+      triangulation.get_communicator());
+
+    smallest = std::numeric_limits<double>::max();
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      for (unsigned int d = 0; d < dim; ++d)
+        smallest = std::min(smallest, locator.extent(cell)[d]);
+    smallest =
+      Utilities::MPI::min(smallest, triangulation.get_communicator());
+
+    number_cells_and_positions();
+    collect_walls();
+    collect_volumes();
+    collect_neighbors();
+
+    occupied_flag.assign(locator.n_cells(), 0);
+    active_flag.assign(locator.n_cells(), 0);
+    numbering_generation = 0;
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::number_cells_and_positions()
+  {
+    const unsigned int n_nodes = nodes_per_cell();
+    full_cell_nodes.resize(locator.n_cells() * n_nodes);
+    position_full.resize(full_partitioner->locally_owned_size() +
+                         full_partitioner->n_ghost_indices());
+    std::vector<types::global_dof_index> dofs(n_nodes);
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      {
+        typename DoFHandler<dim>::active_cell_iterator iterator(
+          &dof_handler.get_triangulation(),
+          locator.iterator(cell)->level(),
+          locator.iterator(cell)->index(),
+          &dof_handler);
+        iterator->get_dof_indices(dofs);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            const unsigned int node =
+              full_partitioner->global_to_local(dofs[a]);
+            full_cell_nodes[cell * n_nodes + a] = node;
+            for (unsigned int d = 0; d < dim; ++d)
+              position_full[node][d] =
+                locator.lower_corner(cell)[d] +
+                fe.unit_support_point(a)[d] * locator.extent(cell)[d];
+          }
+      }
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::collect_walls()
+  {
+    const unsigned int n_nodes = nodes_per_cell();
+    Vector             mask(full_partitioner);
+    open_wall = false;
+    for (unsigned int wall = 0; wall < locator.grid.n_walls(); ++wall)
+      open_wall = open_wall || locator.grid.wall_condition(wall) ==
+                                 WallCondition::open;
+    walls_full.assign(position_full.size(), {});
+    fixed_full.assign(position_full.size(), 0);
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      for (const unsigned int face : GeometryInfo<dim>::face_indices())
+        {
+          const types::boundary_id wall = locator.boundary_id(cell, face);
+          if (wall == numbers::internal_face_boundary_id ||
+              locator.grid.wall_condition(wall) == WallCondition::open)
+            continue;
+          const bool all =
+            locator.grid.wall_condition(wall) == WallCondition::no_slip;
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            if (fe.has_support_on_face(a, face))
+              for (unsigned int c = 0; c < dim; ++c)
+                if (all || c == face / 2)
+                  {
+                    const unsigned int node = full_cell_nodes[cell * n_nodes + a];
+                    fixed_full[node] |= 1u << c;
+                    const auto entry = std::make_pair(wall, c);
+                    auto      &list  = walls_full[node];
+                    if (std::find(list.begin(), list.end(), entry) == list.end())
+                      list.push_back(entry);
+                  }
+        }
+    // an owner sees all cells around its nodes, a ghost's copy may not
+    for (unsigned int i = 0; i < full_partitioner->locally_owned_size(); ++i)
+      mask.local_element(i) = fixed_full[i];
+    mask.update_ghost_values();
+    for (unsigned int i = 0; i < fixed_full.size(); ++i)
+      fixed_full[i] = static_cast<unsigned int>(mask.local_element(i));
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::collect_volumes()
+  {
+    const unsigned int  n_nodes = nodes_per_cell();
+    const QGauss<dim>   quadrature(fe.degree + 1);
+    std::vector<double> unit_integral(n_nodes, 0.);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        unit_integral[a] +=
+          fe.shape_value(a, quadrature.point(q)) * quadrature.weight(q);
+
+    Vector volume(full_partitioner);
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        volume.local_element(full_cell_nodes[cell * n_nodes + a]) +=
+          locator.measure(cell) * unit_integral[a];
+    volume.compress(VectorOperation::add);
+    volume.update_ghost_values();
+    volume_full.resize(position_full.size());
+    for (unsigned int i = 0; i < volume_full.size(); ++i)
+      volume_full[i] = volume.local_element(i);
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::collect_neighbors()
+  {
+    std::vector<std::vector<unsigned int>> cells_at_vertex(
+      locator.grid.triangulation.n_vertices());
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+        cells_at_vertex[locator.iterator(cell)->vertex_index(v)].push_back(cell);
+    neighbors.assign(locator.n_owned(), {});
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      {
+        auto &list = neighbors[cell];
+        for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+          for (const unsigned int other :
+               cells_at_vertex[locator.iterator(cell)->vertex_index(v)])
+            if (other != cell)
+              list.push_back(other);
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+      }
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::exchange_to_ghosts(std::vector<double> &cell_values) const
+  {
+    AssertDimension(cell_values.size(), locator.n_cells());
+    const auto &triangulation = locator.grid.triangulation;
+    if (Utilities::MPI::n_mpi_processes(triangulation.get_communicator()) == 1)
+      return;
+    using Iterator =
+      typename parallel::distributed::Triangulation<dim>::active_cell_iterator;
+    GridTools::exchange_cell_data_to_ghosts<double>(
+      triangulation,
+      [&](const Iterator &cell) -> std::optional<double> {
+        return cell_values[locator.index(cell)];
+      },
+      [&](const Iterator &cell, const double value) {
+        cell_values[locator.index(cell)] = value;
+      });
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::update(const PointCloud<dim> &points)
+  {
+    const MPI_Comm communicator =
+      locator.grid.triangulation.get_communicator();
+    occupied.clear();
+    bool inside = numbering_generation > 0;
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      {
+        occupied_flag[cell] = points.n_points_in(cell) > 0;
+        if (occupied_flag[cell])
+          {
+            occupied.push_back(cell);
+            inside = inside && active_flag[cell];
+          }
+      }
+    exchange_flag(occupied_flag);
+    global_occupied =
+      Utilities::MPI::sum(static_cast<std::uint64_t>(occupied.size()),
+                          communicator);
+    if (Utilities::MPI::min(inside ? 1 : 0, communicator) == 0)
+      number();
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::exchange_flag(std::vector<char> &flag) const
+  {
+    if (locator.n_cells() == locator.n_owned() &&
+        Utilities::MPI::n_mpi_processes(
+          locator.grid.triangulation.get_communicator()) == 1)
+      return;
+    std::vector<double> values(flag.begin(), flag.end());
+    exchange_to_ghosts(values);
+    std::copy(values.begin(), values.end(), flag.begin());
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::number()
+  {
+    active.clear();
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      {
+        active_flag[cell] =
+          occupied_flag[cell] ||
+          std::any_of(neighbors[cell].begin(),
+                      neighbors[cell].end(),
+                      [&](const unsigned int c) { return occupied_flag[c]; });
+        if (active_flag[cell])
+          active.push_back(cell);
+      }
+    exchange_flag(active_flag);
+
+    const unsigned int n_nodes    = nodes_per_cell();
+    const unsigned int n_own_full = full_partitioner->locally_owned_size();
+    std::vector<char>  used(position_full.size(), 0);
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      if (active_flag[cell])
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          used[full_cell_nodes[cell * n_nodes + a]] = 1;
+
+    n_own = std::count(used.begin(), used.begin() + n_own_full, 1);
+    const MPI_Comm communicator =
+      locator.grid.triangulation.get_communicator();
+    const auto counts =
+      Utilities::MPI::all_gather(communicator, std::uint64_t(n_own));
+    const unsigned int  rank  = Utilities::MPI::this_mpi_process(communicator);
+    const std::uint64_t begin = std::accumulate(counts.begin(),
+                                                counts.begin() + rank,
+                                                std::uint64_t(0));
+    const std::uint64_t n_global =
+      std::accumulate(counts.begin() + rank, counts.end(), begin);
+    AssertThrow(n_global * dim < std::numeric_limits<int>::max(),
+                ExcMessage("More than 2^31 - 1 rows in the velocity block: "
+                           "the matrices of this deal.II have 32-bit indices. "
+                           "Use a coarser grid."));
+
+    // own numbers to the ranks that see these nodes as ghosts; doubles hold
+    // integers up to 2^53
+    Vector compact(full_partitioner);
+    full_of_compact.clear();
+    for (unsigned int i = 0; i < n_own_full; ++i)
+      if (used[i])
+        {
+          compact.local_element(i) =
+            static_cast<double>(begin + full_of_compact.size());
+          full_of_compact.push_back(i);
+        }
+    compact.update_ghost_values();
+    std::vector<std::pair<types::global_dof_index, unsigned int>> ghosts;
+    for (unsigned int i = n_own_full; i < used.size(); ++i)
+      if (used[i])
+        ghosts.emplace_back(
+          static_cast<types::global_dof_index>(compact.local_element(i)), i);
+    std::sort(ghosts.begin(), ghosts.end());
+
+    std::vector<types::global_dof_index> ghost_nodes, ghost_components;
+    for (const auto &[global, full] : ghosts)
+      {
+        full_of_compact.push_back(full);
+        ghost_nodes.push_back(global);
+        for (unsigned int c = 0; c < dim; ++c)
+          ghost_components.push_back(dim * global + c);
+      }
+
+    const auto make_partitioner =
+      [&](const unsigned int                          components,
+          const std::vector<types::global_dof_index> &ghost_indices) {
+        IndexSet own(components * n_global), ghost(components * n_global);
+        own.add_range(components * begin, components * (begin + n_own));
+        ghost.add_indices(ghost_indices.begin(), ghost_indices.end());
+        return std::make_shared<const Utilities::MPI::Partitioner>(own,
+                                                                   ghost,
+                                                                   communicator);
+      };
+    node_partitioner      = make_partitioner(1, ghost_nodes);
+    component_partitioner = make_partitioner(dim, ghost_components);
+
+    std::vector<unsigned int> compact_of_full(used.size(), invalid);
+    for (unsigned int i = 0; i < full_of_compact.size(); ++i)
+      compact_of_full[full_of_compact[i]] = i;
+    compact_cell_nodes.assign(full_cell_nodes.size(), invalid);
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      if (active_flag[cell])
+        for (unsigned int a = cell * n_nodes; a < (cell + 1) * n_nodes; ++a)
+          compact_cell_nodes[a] = compact_of_full[full_cell_nodes[a]];
+    ++numbering_generation;
+  }
+
+  template <int dim>
+  bool
+  Occupancy<dim>::fixed_by(const unsigned int       node,
+                           const types::boundary_id wall,
+                           const unsigned int       component) const
+  {
+    const auto &list = walls_full[full_of_compact[node]];
+    return std::find(list.begin(),
+                     list.end(),
+                     std::make_pair(wall, component)) != list.end();
+  }
+
+  template class Occupancy<2>;
+  template class Occupancy<3>;
+} // namespace seiche

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/time_scheme.h>
+#include <seiche/parameters/input_file.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Apply f(i) to own and ghost entries of a vector's layout.
+    template <typename Vector, typename Function>
+    void
+    for_each_local(const Vector &layout, const Function &f)
+    {
+      const unsigned int n = layout.locally_owned_size() +
+                             layout.get_partitioner()->n_ghost_indices();
+      for (unsigned int i = 0; i < n; ++i)
+        f(i);
+    }
+
+    /**
+     * Newmark (beta, gamma) with Bossak's weighted inertia (numerics 1.1):
+     * a = c_a u + a^, v = c_v u + v^, inertia (1 - alpha) a + alpha a_n.
+     * alpha = 0, beta = 1/4, gamma = 1/2: the scheme of the founding paper.
+     */
+    template <int dim>
+    class Bossak : public TimeScheme<dim>
+    {
+    public:
+      using Vector = typename TimeScheme<dim>::Vector;
+
+      explicit Bossak(const double alpha)
+        : alpha(alpha)
+        , beta((1. - alpha) * (1. - alpha) / 4.)
+        , gamma(0.5 - alpha)
+      {}
+
+      StepCoefficients
+      coefficients(const double dt) const override
+      {
+        StepCoefficients c;
+        c.dt      = dt;
+        c.theta   = 1.;
+        c.inertia = (1. - alpha) / (beta * dt * dt);
+        c.rate    = gamma / (beta * dt);
+        return c;
+      }
+
+      bool
+      needs_acceleration() const override
+      {
+        return true;
+      }
+
+      double
+      pressure_time() const override
+      {
+        return 1.;
+      }
+
+      void
+      offsets(const GridState<dim> &state,
+              const double          dt,
+              Vector               &inertia_offset,
+              Vector               &rate_offset) const override
+      {
+        for_each_local(state.velocity_start, [&](const unsigned int i) {
+          const double v = state.velocity_start.local_element(i);
+          const double a = state.acceleration_n.local_element(i);
+          inertia_offset.local_element(i) =
+            (1. - alpha) * acceleration_offset(v, a, dt) + alpha * a;
+          rate_offset.local_element(i) = velocity_offset(v, a, dt);
+        });
+      }
+
+      void
+      finish(GridState<dim> &state) const override
+      {
+        const double dt = state.dt;
+        for_each_local(state.velocity_start, [&](const unsigned int i) {
+          const double u = state.displacement().local_element(i);
+          const double v = state.velocity_start.local_element(i);
+          const double a = state.acceleration_n.local_element(i);
+          state.velocity_np1.local_element(i) =
+            gamma / (beta * dt) * u + velocity_offset(v, a, dt);
+          state.acceleration_np1.local_element(i) =
+            u / (beta * dt * dt) + acceleration_offset(v, a, dt);
+        });
+      }
+
+    private:
+      double
+      acceleration_offset(const double v, const double a, const double dt) const
+      {
+        return -v / (beta * dt) - (0.5 / beta - 1.) * a;
+      }
+
+      double
+      velocity_offset(const double v, const double a, const double dt) const
+      {
+        return (1. - gamma / beta) * v + dt * (1. - 0.5 * gamma / beta) * a;
+      }
+
+      const double alpha, beta, gamma;
+    };
+
+    /**
+     * Generalized midpoint with theta = 1/(1 + rho_inf) (numerics 1.8):
+     * a = (v_1 - v_0)/dt, u = dt (theta v_1 + (1 - theta) v_0), forces in the
+     * theta configuration, constraint at the end of the step.
+     */
+    template <int dim>
+    class GeneralizedMidpoint : public TimeScheme<dim>
+    {
+    public:
+      using Vector = typename TimeScheme<dim>::Vector;
+
+      explicit GeneralizedMidpoint(const double rho_infinity)
+        : theta(1. / (1. + rho_infinity))
+      {}
+
+      StepCoefficients
+      coefficients(const double dt) const override
+      {
+        StepCoefficients c;
+        c.dt      = dt;
+        c.theta   = theta;
+        c.inertia = 1. / (theta * dt * dt);
+        c.rate    = 1. / dt;
+        return c;
+      }
+
+      bool
+      needs_acceleration() const override
+      {
+        return false;
+      }
+
+      double
+      pressure_time() const override
+      {
+        return 0.5;
+      }
+
+      void
+      offsets(const GridState<dim> &state,
+              const double          dt,
+              Vector               &inertia_offset,
+              Vector               &rate_offset) const override
+      {
+        for_each_local(state.velocity_start, [&](const unsigned int i) {
+          inertia_offset.local_element(i) =
+            -state.velocity_start.local_element(i) / (theta * dt);
+          rate_offset.local_element(i) = 0.;
+        });
+      }
+
+      void
+      finish(GridState<dim> &state) const override
+      {
+        const double dt = state.dt;
+        for_each_local(state.velocity_start, [&](const unsigned int i) {
+          const double v0 = state.velocity_start.local_element(i);
+          const double v1 =
+            (state.displacement().local_element(i) / dt - (1. - theta) * v0) /
+            theta;
+          state.velocity_np1.local_element(i)     = v1;
+          state.acceleration_np1.local_element(i) = (v1 - v0) / dt;
+        });
+      }
+
+    private:
+      const double theta;
+    };
+
+    /// One row of the table of schemes.
+    template <int dim>
+    struct SchemeEntry
+    {
+      const char *name;
+      std::unique_ptr<TimeScheme<dim>> (*make)(const TimeSchemeParameters &);
+    };
+
+    template <int dim>
+    constexpr std::array<SchemeEntry<dim>, 3> scheme_table = {
+      {{"generalized midpoint",
+        [](const TimeSchemeParameters &p) -> std::unique_ptr<TimeScheme<dim>> {
+          return std::make_unique<GeneralizedMidpoint<dim>>(p.rho_infinity);
+        }},
+       {"bossak",
+        [](const TimeSchemeParameters &p) -> std::unique_ptr<TimeScheme<dim>> {
+          return std::make_unique<Bossak<dim>>(p.bossak_alpha);
+        }},
+       {"newmark",
+        [](const TimeSchemeParameters &) -> std::unique_ptr<TimeScheme<dim>> {
+          return std::make_unique<Bossak<dim>>(0.);
+        }}}};
+
+    std::string
+    scheme_names()
+    {
+      std::string names;
+      for (const auto &entry : scheme_table<2>)
+        names += (names.empty() ? "" : "|") + std::string(entry.name);
+      return names;
+    }
+  } // namespace
+
+  void
+  TimeSchemeParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Time");
+    prm.add_parameter("Scheme",
+                      scheme,
+                      "Time integration. generalized midpoint: second order "
+                      "for Rho infinity = 1, no acceleration history; bossak "
+                      "and newmark (the founding paper's) carry an "
+                      "acceleration on the points",
+                      Patterns::Selection(scheme_names()));
+    prm.add_parameter("Rho infinity",
+                      rho_infinity,
+                      "Spectral radius of the generalized midpoint scheme at "
+                      "infinite frequency, theta = 1/(1 + rho): 1 keeps "
+                      "energy, 0 is backward Euler [-]",
+                      Patterns::Double(0., 1.));
+    prm.add_parameter("Bossak alpha",
+                      bossak_alpha,
+                      "Weight of the old acceleration in Bossak's inertia [-]",
+                      Patterns::Double(-1. / 3., 0.));
+    prm.leave_subsection();
+  }
+
+  template <int dim>
+  void
+  TimeScheme<dim>::predict(GridState<dim> &state) const
+  {
+    for_each_local(state.velocity_start, [&](const unsigned int i) {
+      state.displacement().local_element(i) =
+        state.dt * state.velocity_start.local_element(i);
+    });
+    if (state.has_pressure())
+      for_each_local(state.pressure_guess, [&](const unsigned int i) {
+        state.pressure().local_element(i) =
+          state.pressure_guess.local_element(i);
+      });
+  }
+
+  template <int dim>
+  std::unique_ptr<TimeScheme<dim>>
+  make_time_scheme(const TimeSchemeParameters &parameters)
+  {
+    for (const auto &entry : scheme_table<dim>)
+      if (parameters.scheme == entry.name)
+        return entry.make(parameters);
+    AssertThrow(false, ExcInternalError()); // the pattern refuses other names
+    return nullptr;
+  }
+
+  template class TimeScheme<2>;
+  template class TimeScheme<3>;
+  template std::unique_ptr<TimeScheme<2>>
+  make_time_scheme<2>(const TimeSchemeParameters &);
+  template std::unique_ptr<TimeScheme<3>>
+  make_time_scheme<3>(const TimeSchemeParameters &);
+} // namespace seiche

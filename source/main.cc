@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/command_line.h>
+#include <seiche/parameters/input_file.h>
+#include <seiche/simulation/run.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <csignal>
+#include <iostream>
+#include <new>
+#include <string>
+#include <thread>
+
+namespace
+{
+  using seiche::ExitCode;
+
+  ExitCode
+  run_program(const int argc, char **argv, const bool speaks)
+  {
+    const seiche::CommandLine command_line =
+      seiche::parse_command_line(argc, argv);
+    if (!command_line.text.empty() || command_line.print_parameters)
+      {
+        if (speaks)
+          std::cout << (command_line.text.empty() ? seiche::parameter_text() :
+                                                    command_line.text)
+                    << std::flush;
+        if (!std::cout)
+          throw seiche::FileError("standard output cannot be written; free "
+                                  "space there, or give another file.");
+        return ExitCode::finished;
+      }
+    const seiche::InputFile input(command_line.filename,
+                                  command_line.overrides);
+    return input.dimension() == 2 ? seiche::run<2>(command_line, input) :
+                                    seiche::run<3>(command_line, input);
+  }
+
+  /// True if all ranks have come here within two seconds: then all of them
+  /// failed for the same reason and can end in the ordinary way.
+  bool
+  all_ranks_failed(const MPI_Comm communicator)
+  {
+    using namespace std::chrono_literals;
+    MPI_Request request;
+    if (MPI_Ibarrier(communicator, &request) != MPI_SUCCESS)
+      return false;
+    for (unsigned int i = 0; i < 2000; ++i)
+      {
+        int done = 0;
+        if (MPI_Test(&request, &done, MPI_STATUS_IGNORE) != MPI_SUCCESS)
+          return false;
+        if (done != 0)
+          return true;
+        std::this_thread::sleep_for(1ms);
+      }
+    return false;
+  }
+
+  /// Say why the program ends, once, and end it on all ranks: others may be
+  /// waiting for this one in a collective call, so they have to be killed.
+  int
+  end_after_failure(const std::string &message,
+                    const ExitCode     code,
+                    const MPI_Comm     communicator,
+                    const bool         speaks)
+  {
+    const bool together = all_ranks_failed(communicator);
+    if (speaks || !together)
+      std::cerr << message << std::endl;
+    if (!together)
+      {
+        // mpirun drops what it has not yet forwarded when it kills the ranks
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
+      }
+    return static_cast<int>(code);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  // a limit of the file size shall be an error of write(), not a signal
+  std::signal(SIGXFSZ, SIG_IGN);
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  MPI_Comm failures = MPI_COMM_NULL; // no other message may come between
+  MPI_Comm_dup(MPI_COMM_WORLD, &failures);
+  const bool speaks =
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  const std::string internal_error =
+    "seiche: internal error, please report it with the parameter file:\n";
+
+  int code;
+  try
+    {
+      code = static_cast<int>(run_program(argc, argv, speaks));
+    }
+  catch (const seiche::Error &error)
+    {
+      code = end_after_failure(error.what(), error.exit_code, failures, speaks);
+    }
+  catch (const std::bad_alloc &)
+    {
+      code = end_after_failure(
+        "seiche: memory is exhausted; use larger cells, fewer points a cell or "
+        "more ranks.",
+        ExitCode::internal,
+        failures,
+        speaks);
+    }
+  catch (const std::exception &error)
+    {
+      code = end_after_failure(internal_error + error.what(),
+                               ExitCode::internal,
+                               failures,
+                               speaks);
+    }
+  MPI_Comm_free(&failures);
+  return code;
+}

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/declarations.h>
+#include <seiche/parameters/input_file.h>
+#include <seiche/parameters/nearest_name.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace seiche
+{
+  namespace
+  {
+    const char *const dimension_entry = "Dimension";
+
+    /// `entry "E" in "S"`.
+    std::string
+    entry_in_words(const std::string &path)
+    {
+      const std::string subsection = subsection_name(path);
+      return "entry \"" + entry_name(path) + "\"" +
+             (subsection.empty() ? "" : " in \"" + subsection + "\"");
+    }
+
+    /// `Allowed: a number >= 0 [Pa].` for the messages.
+    std::string
+    allowed_in_words(const Declaration &declaration)
+    {
+      const std::string unit = declaration.unit();
+      return "Allowed: " + declaration.allowed() +
+             (unit.empty() ? "" : " " + unit) + ".";
+    }
+
+    /// ` Meaning: Density of the fluid.`, without the unit at the end.
+    std::string
+    meaning_in_words(const Declaration &declaration)
+    {
+      std::string text     = declaration.text;
+      const auto  trim_end = [&text]() {
+        while (!text.empty() && (text.back() == '.' || text.back() == ' '))
+          text.pop_back();
+      };
+      trim_end();
+      const std::string unit = declaration.unit();
+      if (!unit.empty() && text.size() > unit.size() &&
+          text.compare(text.size() - unit.size(), unit.size(), unit) == 0)
+        {
+          text.resize(text.size() - unit.size());
+          trim_end();
+        }
+      return text.empty() ? "" : " Meaning: " + text + ".";
+    }
+
+    /// False if the value cannot be converted to the type of the member.
+    bool
+    set_in(dealii::ParameterHandler &prm,
+           const std::string        &path,
+           const std::string        &value)
+    {
+      const auto names =
+        dealii::Utilities::split_string_list(subsection_name(path), '/');
+      for (const std::string &name : names)
+        prm.enter_subsection(name);
+      bool converted = true;
+      try
+        {
+          prm.set(entry_name(path), value);
+        }
+      catch (const std::exception &)
+        {
+          converted = false;
+        }
+      for (std::size_t i = 0; i < names.size(); ++i)
+        prm.leave_subsection();
+      return converted;
+    }
+
+    /// Set one entry; the problem as text, empty if there is none.
+    std::string
+    parse_entry(dealii::ParameterHandler &prm,
+                const Declaration        &declaration,
+                const std::string        &value)
+    {
+      std::string problem;
+      if (declaration.mandatory && value.empty())
+        problem = "the entry is mandatory and its value is missing";
+      else if (!declaration.accepts(value))
+        problem = "this value is not allowed" +
+                  nearest_hint(value, declaration.choices());
+      else if (!set_in(prm, declaration.path, value))
+        problem = "this value cannot be read";
+      else
+        return "";
+      return problem + (problem.back() == '?' ? " " : ". ") +
+             allowed_in_words(declaration) + meaning_in_words(declaration);
+    }
+  } // namespace
+
+
+
+  InputFile::InputFile(const std::string              &name,
+                       const std::vector<std::string> &overrides)
+    : filename(name)
+    , text(read_input(name))
+  {
+    apply_overrides(overrides, text);
+  }
+
+
+
+  InputFile
+  InputFile::for_documentation()
+  {
+    InputFile input;
+    input.documentation = true;
+    return input;
+  }
+
+
+
+  unsigned int
+  InputFile::dimension() const
+  {
+    const std::string dimension = value(dimension_entry);
+    require(!dimension.empty(),
+            dimension_entry,
+            "the entry is mandatory; write \"set Dimension = 2\" or 3.");
+    require(dimension == "2" || dimension == "3",
+            dimension_entry,
+            "this value is not allowed. Allowed: 2 or 3 [-].");
+    return dimension == "2" ? 2 : 3;
+  }
+
+
+
+  void
+  InputFile::declare_dimension(dealii::ParameterHandler &prm)
+  {
+    prm.declare_entry(dimension_entry,
+                      "2",
+                      dealii::Patterns::Integer(2, 3),
+                      "Number of space dimensions [-].",
+                      /*has_to_be_set=*/true);
+  }
+
+
+
+  std::vector<std::string>
+  InputFile::instances(const std::string &kind) const
+  {
+    kinds.insert(kind);
+    if (documentation)
+      return {"NAME"};
+    std::vector<std::string> names;
+    for (const std::string &path : text.order)
+      if (text.subsections.count(path) > 0 &&
+          path.find('/') == std::string::npos &&
+          path.compare(0, kind.size() + 1, kind + " ") == 0)
+        names.push_back(dealii::Utilities::trim(path.substr(kind.size() + 1)));
+    return names;
+  }
+
+
+
+  std::string
+  InputFile::value(const std::string &path, const std::string &fallback) const
+  {
+    const auto entry = text.entries.find(path);
+    return entry == text.entries.end() ? fallback : entry->second.value;
+  }
+
+
+
+  bool
+  InputFile::is_set(const std::string &path) const
+  {
+    return !value(path).empty();
+  }
+
+
+
+  std::string
+  InputFile::origin(const std::string &path) const
+  {
+    const auto entry = text.entries.find(path);
+    if (entry != text.entries.end())
+      return entry->second.origin;
+    for (std::string part = path; !part.empty(); part = subsection_name(part))
+      {
+        const auto subsection = text.subsections.find(part);
+        if (subsection != text.subsections.end())
+          return subsection->second;
+      }
+    return text.end;
+  }
+
+
+
+  void
+  InputFile::fail(const std::string &path, const std::string &problem) const
+  {
+    const auto  entry = text.entries.find(path);
+    std::string what;
+    if (entry != text.entries.end())
+      what = entry_in_words(path) + " = " + entry->second.value;
+    else if (text.subsections.count(path) > 0)
+      what = "subsection \"" + path + "\"";
+    else
+      what = entry_in_words(path) + " (not set)";
+    throw InputError(origin(path) + ": " + what + ": " + problem);
+  }
+
+
+
+  void
+  InputFile::parse_into(dealii::ParameterHandler &prm) const
+  {
+    declare_dimension(prm);
+    const std::vector<Declaration> known = declarations(prm);
+
+    std::vector<std::string> problems;
+    check_names(known, problems);
+    // in the order of the file: the user reads messages from top to bottom
+    for (const std::string &path : text.order)
+      for (const Declaration &declaration : known)
+        if (declaration.path == path && text.entries.count(path) > 0)
+          {
+            const std::string &value   = text.entries.at(path).value;
+            const std::string  problem = parse_entry(prm, declaration, value);
+            if (!problem.empty())
+              problems.push_back(origin(path) + ": " + entry_in_words(path) +
+                                 " = " + value + ": " + problem);
+          }
+    for (const Declaration &declaration : known)
+      if (declaration.mandatory && text.entries.count(declaration.path) == 0)
+        {
+          const std::string subsection = subsection_name(declaration.path);
+          problems.push_back(fmt::format(
+            "{}: {} is mandatory and not set; write \"set {} = ...\"{}. {}{}",
+            origin(declaration.path),
+            entry_in_words(declaration.path),
+            entry_name(declaration.path),
+            subsection.empty() ? "" : " in \"subsection " + subsection + "\"",
+            allowed_in_words(declaration),
+            meaning_in_words(declaration)));
+        }
+    throw_problems(problems);
+  }
+
+
+
+  void
+  InputFile::check_names(const std::vector<Declaration> &known,
+                         std::vector<std::string>       &problems) const
+  {
+    std::set<std::string> known_entries, known_subsections;
+    for (const Declaration &declaration : known)
+      {
+        known_entries.insert(declaration.path);
+        for (std::string part = subsection_name(declaration.path);
+             !part.empty();
+             part = subsection_name(part))
+          known_subsections.insert(part);
+      }
+    for (const std::string &path : text.order)
+      {
+        const std::string subsection = subsection_name(path);
+        // what is in an unknown subsection is reported with it
+        if (!subsection.empty() && known_subsections.count(subsection) == 0)
+          continue;
+        if (text.subsections.count(path) > 0)
+          {
+            if (known_subsections.count(path) == 0)
+              problems.push_back(unknown_subsection(path, known_subsections));
+          }
+        else if (known_entries.count(path) == 0)
+          problems.push_back(unknown_entry(path, known));
+      }
+  }
+
+
+
+  std::string
+  InputFile::unknown_subsection(const std::string           &path,
+                                const std::set<std::string> &known) const
+  {
+    const std::string place = origin(path) + ": ";
+    if (kinds.count(path) > 0)
+      return place + "subsection \"" + path +
+             "\" needs a name of its own; write \"subsection " + path +
+             " NAME\".";
+
+    const std::string        parent = subsection_name(path);
+    const std::string        name   = entry_name(path);
+    std::vector<std::string> candidates, shown;
+    for (const std::string &subsection : known)
+      if (subsection_name(subsection) == parent)
+        {
+          candidates.push_back(entry_name(subsection));
+          if (std::none_of(kinds.begin(), kinds.end(), [&](const auto &kind) {
+                return subsection.compare(0, kind.size() + 1, kind + " ") == 0;
+              }))
+            shown.push_back(entry_name(subsection));
+        }
+    if (parent.empty())
+      for (const std::string &kind : kinds)
+        {
+          shown.push_back(kind + " NAME");
+          // the same name after the right kind, which has as many words
+          std::size_t end = 0;
+          for (long n = std::count(kind.begin(), kind.end(), ' ') + 1;
+               n > 0 && end != std::string::npos;
+               --n)
+            end = name.find(' ', end + 1);
+          if (end != std::string::npos)
+            candidates.push_back(kind + name.substr(end));
+        }
+    return place + "no subsection \"" + name + "\"" +
+           (parent.empty() ? "" : " in \"" + parent + "\"") +
+           nearest_hint(name, candidates) +
+           (nearest_name(name, candidates).empty() ? "." : "") +
+           " Subsections there: " +
+           (shown.empty() ? "none" : quoted_list(shown)) + ".";
+  }
+
+
+
+  std::string
+  InputFile::unknown_entry(const std::string              &path,
+                           const std::vector<Declaration> &known) const
+  {
+    const std::string        name   = entry_name(path);
+    const std::string        parent = subsection_name(path);
+    std::vector<std::string> siblings;
+    std::string              elsewhere;
+    for (const Declaration &declaration : known)
+      if (subsection_name(declaration.path) == parent)
+        siblings.push_back(entry_name(declaration.path));
+      else if (entry_name(declaration.path) == name && elsewhere.empty())
+        elsewhere = subsection_name(declaration.path);
+
+    std::string message =
+      origin(path) + ": no entry \"" + name + "\"" +
+      (parent.empty() ? " outside subsections" : " in \"" + parent + "\"");
+    const std::string nearest = nearest_name(name, siblings);
+    if (!nearest.empty())
+      for (const Declaration &declaration : known)
+        if (declaration.path == (parent.empty() ? "" : parent + "/") + nearest)
+          return message + "; did you mean \"" + nearest + "\" " +
+                 declaration.unit() + "? " + allowed_in_words(declaration);
+    if (!elsewhere.empty())
+      return message + "; it belongs into \"subsection " + elsewhere + "\".";
+    return message + ". Entries there: " + quoted_list(siblings) + ".";
+  }
+
+
+
+  std::string
+  InputFile::directory() const
+  {
+    const std::string parent =
+      std::filesystem::path(filename).parent_path().string();
+    return parent.empty() ? "." : parent;
+  }
+} // namespace seiche

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/points/point_cloud.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <map>
+
+// The part of PointCloud that sends points to other ranks.
+namespace seiche
+{
+  namespace
+  {
+    /// Points on their way to one rank: ids, and all components of the first
+    /// point, of the second one, ...
+    struct Packet
+    {
+      std::vector<std::uint64_t> ids;
+      std::vector<double>        values;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &ids    &values;
+      }
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  PointCloud<dim>::migrate(const std::vector<std::size_t> &emigrants)
+  {
+    std::map<unsigned int, Packet> sent;
+    for (const std::size_t point : emigrants)
+      {
+        Packet &packet = sent[locator.owner(point_cells[point])];
+        packet.ids.push_back(point_ids[point]);
+        for (const auto &array : arrays)
+          packet.values.push_back(array[point]);
+        point_cells[point] = invalid; // sort() drops it
+      }
+
+    for (const auto &received :
+         dealii::Utilities::MPI::some_to_some(communicator, sent))
+      {
+        const Packet &packet = received.second;
+        const double *value  = packet.values.data();
+        for (const std::uint64_t id : packet.ids)
+          {
+            for (auto &array : arrays)
+              array.push_back(*value++);
+            point_ids.push_back(id);
+            point_cells.push_back(invalid);
+            const unsigned int cell = locator.find(position(size() - 1));
+            // a cell of a third rank would be an error of the sender's ghost
+            // layer; the point is dropped, and the count in locate() tells
+            if (cell < locator.n_owned())
+              point_cells.back() = cell;
+          }
+      }
+  }
+
+
+
+  template void
+  PointCloud<2>::migrate(const std::vector<std::size_t> &);
+  template void
+  PointCloud<3>::migrate(const std::vector<std::size_t> &);
+} // namespace seiche

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/points/seeding.h>
+#include <seiche/scene/expression.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace seiche
+{
+  void
+  SeedingParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Points");
+    prm.add_parameter("Per cell and direction",
+                      per_direction,
+                      "Material points along each edge of a full cell. [-]",
+                      dealii::Patterns::Integer(1, 100));
+    prm.add_parameter("Jitter",
+                      jitter,
+                      "Points are displaced at random by up to this share of "
+                      "their spacing in each direction; 0 gives a regular "
+                      "lattice. [-]",
+                      dealii::Patterns::Double(0., 0.5));
+    prm.add_parameter("Seed",
+                      seed,
+                      "Number that selects the random displacements. [-]",
+                      dealii::Patterns::Integer(0));
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  SeedingParameters::check(const InputFile &input) const
+  {
+    input.require(std::isfinite(jitter),
+                  "Points/Jitter",
+                  "must be a number from 0 to 0.5.");
+  }
+
+
+
+  namespace
+  {
+    /// The finalizer of splitmix64 (Steele, Lea, Flood, OOPSLA 2014).
+    std::uint64_t
+    mix(std::uint64_t z)
+    {
+      z += 0x9e3779b97f4a7c15ull;
+      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+      z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+      return z ^ (z >> 31);
+    }
+
+
+
+    /// Random number in [-1, 1) that depends on its arguments only: the same
+    /// on every rank count and for every order of the points.
+    double
+    random_offset(const std::uint64_t seed,
+                  const std::uint64_t id,
+                  const unsigned int  direction)
+    {
+      const std::uint64_t bits = mix(mix(mix(seed) ^ id) ^ direction);
+      return 2. * static_cast<double>(bits >> 11) / 9007199254740992. - 1.;
+    }
+
+
+
+    /// All that is needed to fill one body.
+    template <int dim>
+    struct Body
+    {
+      std::unique_ptr<Region<dim>>     region;
+      std::unique_ptr<Expression<dim>> velocity;
+    };
+
+
+
+    template <int dim>
+    std::vector<Body<dim>>
+    make_bodies(const std::vector<FluidBodyParameters<dim>> &bodies,
+                const InputFile                             &input,
+                const dealii::BoundingBox<dim>              &domain)
+    {
+      input.require(!bodies.empty(),
+                    "Fluid body NAME/Shape",
+                    "there is no fluid; add at least one subsection \"Fluid "
+                    "body NAME\".");
+      input.require(bodies.size() < 256,
+                    bodies.back().path("Shape"),
+                    "at most 255 fluid bodies are possible.");
+      std::vector<Body<dim>> result;
+      for (const auto &body : bodies)
+        {
+          Body<dim> made;
+          made.region = body.make_region(input, domain);
+          // a place inside the body's box: the corner of the domain may be
+          // a singular point of the velocity
+          made.velocity =
+            std::make_unique<Expression<dim>>(input,
+                                              body.path("Velocity"),
+                                              body.velocity,
+                                              dim,
+                                              made.region->bounding_box()
+                                                .center());
+          result.push_back(std::move(made));
+        }
+      return result;
+    }
+
+
+
+    /// The lattice of points in one cell.
+    template <int dim>
+    struct Lattice
+    {
+      dealii::Point<dim>            origin;  // [m]
+      dealii::Tensor<1, dim>        spacing; // [m]
+      std::array<unsigned int, dim> n;
+      unsigned int                  n_all = 1; // 0: body and cell do not meet
+
+      Lattice(const dealii::BoundingBox<dim> &part,
+              const dealii::BoundingBox<dim> &cell,
+              const unsigned int              per_direction)
+        : origin(part.get_boundary_points().first)
+      {
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            // slices thinner than round-off come from box faces on grid lines
+            const double share = part.side_length(d) / cell.side_length(d);
+            n[d]               = 0;
+            if (share > 1e-10)
+              n[d] = std::max(1L, std::lround(share * per_direction));
+            n_all *= n[d];
+            spacing[d] = n[d] > 0 ? part.side_length(d) / n[d] : 0.;
+          }
+      }
+    };
+
+
+
+    /// Seeds the cells of this rank with one body.
+    template <int dim>
+    class Seeder
+    {
+    public:
+      Seeder(const SeedingParameters      &seeding_parameters,
+             const std::vector<Body<dim>> &body_list,
+             const double                  rest_density,
+             PointCloud<dim>              &target)
+        : parameters(seeding_parameters)
+        , bodies(body_list)
+        , density(rest_density)
+        , points(target)
+      {}
+
+      void
+      fill(const unsigned int body_index, const unsigned int cell);
+
+      double smallest_spacing = std::numeric_limits<double>::max();
+
+    private:
+      bool
+      is_free(const dealii::Point<dim> &x, const unsigned int body_index) const;
+
+      /// dv_i/dx_j by central differences, for the last point.
+      void
+      set_velocity_gradient(const Expression<dim>    &velocity,
+                            const dealii::Point<dim> &x,
+                            const double              step);
+
+      const SeedingParameters      &parameters;
+      const std::vector<Body<dim>> &bodies;
+      const double                  density;
+      PointCloud<dim>              &points;
+    };
+
+
+
+    template <int dim>
+    void
+    Seeder<dim>::fill(const unsigned int body_index, const unsigned int cell)
+    {
+      const dealii::BoundingBox<dim> box    = points.locator.box(cell);
+      const Region<dim>             &region = *bodies[body_index].region;
+      const unsigned int             per    = parameters.per_direction;
+      const Lattice<dim>             lattice(region.lattice_box(box), box, per);
+      const dealii::BoundingBox<dim> around = region.bounding_box();
+      for (unsigned int d = 0; d < dim; ++d)
+        if (around.lower_bound(d) > box.upper_bound(d) ||
+            around.upper_bound(d) < box.lower_bound(d))
+          return;
+
+      double volume = 1.;
+      for (unsigned int d = 0; d < dim; ++d)
+        volume *= lattice.spacing[d];
+      const std::uint64_t first_id =
+        (static_cast<std::uint64_t>(body_index) << 56) |
+        (points.locator.lattice_index(cell) *
+         dealii::Utilities::fixed_power<dim>(per));
+
+      for (unsigned int i = 0; i < lattice.n_all; ++i)
+        {
+          dealii::Point<dim> x;
+          std::uint64_t      id     = first_id;
+          std::uint64_t      stride = 1;
+          unsigned int       rest   = i;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const unsigned int k = rest % lattice.n[d];
+              x[d] = lattice.origin[d] + (k + 0.5) * lattice.spacing[d];
+              id += k * stride;
+              stride *= per;
+              rest /= lattice.n[d];
+            }
+          if (!is_free(x, body_index))
+            continue;
+          if (parameters.jitter > 0.)
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                const double upper =
+                  lattice.origin[d] + lattice.n[d] * lattice.spacing[d];
+                x[d] += parameters.jitter * lattice.spacing[d] *
+                        random_offset(parameters.seed, id, d);
+                x[d] = std::min(std::max(x[d], lattice.origin[d]), upper);
+              }
+          const Expression<dim> &velocity = *bodies[body_index].velocity;
+          points.insert(id,
+                        x,
+                        velocity.vector_value(x, /*t=*/0.),
+                        density * volume,
+                        volume);
+          if (points.has(PointColumn::velocity_gradient))
+            set_velocity_gradient(velocity, x, 1e-4 * box.side_length(0));
+          for (unsigned int d = 0; d < dim; ++d)
+            smallest_spacing = std::min(smallest_spacing, lattice.spacing[d]);
+        }
+    }
+
+
+
+    template <int dim>
+    bool
+    Seeder<dim>::is_free(const dealii::Point<dim> &x,
+                         const unsigned int        body_index) const
+    {
+      for (unsigned int b = 0; b < body_index; ++b)
+        if (bodies[b].region->contains(x))
+          return false;
+      return bodies[body_index].region->contains(x);
+    }
+
+
+
+    template <int dim>
+    void
+    Seeder<dim>::set_velocity_gradient(const Expression<dim>    &velocity,
+                                       const dealii::Point<dim> &x,
+                                       const double              step)
+    {
+      if (velocity.is_constant())
+        return; // insertion has made it zero
+      for (unsigned int j = 0; j < dim; ++j)
+        {
+          dealii::Point<dim> before = x, behind = x;
+          before[j] -= step;
+          behind[j] += step;
+          const auto difference = velocity.vector_value(behind, /*t=*/0.) -
+                                  velocity.vector_value(before, /*t=*/0.);
+          for (unsigned int i = 0; i < dim; ++i)
+            points.data(PointColumn::velocity_gradient,
+                        i * dim + j)[points.size() - 1] =
+              difference[i] / (2. * step);
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SeedingResult
+  seed_bodies(const SeedingParameters                     &parameters,
+              const std::vector<FluidBodyParameters<dim>> &bodies,
+              const InputFile                             &input,
+              const double                                 density,
+              PointCloud<dim>                             &points)
+  {
+    const std::vector<Body<dim>> made =
+      make_bodies(bodies, input, points.locator.grid.parameters.domain());
+    Seeder<dim> seeder(parameters, made, density, points);
+    for (unsigned int b = 0; b < made.size(); ++b)
+      {
+        const std::size_t n_before = points.size();
+        for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
+          seeder.fill(b, cell);
+        const std::uint64_t n_added = dealii::Utilities::MPI::sum(
+          static_cast<std::uint64_t>(points.size() - n_before),
+          points.communicator);
+        input.require(n_added > 0,
+                      bodies[b].path("Shape"),
+                      "the body holds no material point: it is smaller than "
+                      "the spacing of the points, or it lies inside an "
+                      "obstacle or an earlier body.");
+      }
+    points.locate();
+    SeedingResult result;
+    result.n_points = points.n_global();
+    result.half_spacing =
+      0.5 * dealii::Utilities::MPI::min(seeder.smallest_spacing,
+                                        points.communicator);
+    return result;
+  }
+
+
+
+  template SeedingResult
+  seed_bodies<2>(const SeedingParameters &,
+                 const std::vector<FluidBodyParameters<2>> &,
+                 const InputFile &,
+                 const double,
+                 PointCloud<2> &);
+  template SeedingResult
+  seed_bodies<3>(const SeedingParameters &,
+                 const std::vector<FluidBodyParameters<3>> &,
+                 const InputFile &,
+                 const double,
+                 PointCloud<3> &);
+} // namespace seiche

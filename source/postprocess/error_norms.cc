@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/postprocess/error_norms.h>
+#include <seiche/postprocess/grid_evaluation.h>
+#include <seiche/scene/entry_values.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <limits>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  ErrorParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Quantity",
+                      quantity,
+                      "Field that is compared.",
+                      Patterns::Selection("pressure|velocity"));
+    prm.add_parameter("Exact",
+                      exact,
+                      std::string("Exact solution, a function of x, y") +
+                        (dim == 3 ? ", z" : "") +
+                        " and t; components of the velocity are separated by "
+                        "\";\". In Pa or m/s.",
+                      Patterns::Anything(),
+                      /*has_to_be_set=*/true);
+    prm.add_parameter(
+      "Sample",
+      sample,
+      "Where it is compared: nodes of occupied cells (weighted by mass), Gauss "
+      "points of occupied cells, or the material points.",
+      Patterns::Selection("nodes|Gauss points|material points"));
+    prm.add_parameter(
+      "Norm",
+      norm,
+      "rms and maximum are divided by \"Scale\"; relative L2 by the same norm "
+      "of the exact solution.",
+      Patterns::Selection("rms|relative L2|maximum"));
+    prm.add_parameter("Region lower",
+                      region_lower,
+                      "Lower corner of the box that counts; empty: that of "
+                      "the domain. [m]");
+    prm.add_parameter("Region upper",
+                      region_upper,
+                      "Upper corner of the box that counts; empty: that of "
+                      "the domain. [m]");
+    prm.add_parameter("Remove mean",
+                      remove_mean,
+                      "Subtract the mean from both solutions (pressure in a "
+                      "closed box without free surface).");
+    prm.add_parameter("Scale",
+                      scale,
+                      "rms and maximum are divided by this, in Pa or m/s.",
+                      Patterns::Double());
+  }
+
+  template <int dim>
+  void
+  ErrorParameters<dim>::check(const InputFile           &input,
+                              const BackgroundGrid<dim> &grid) const
+  {
+    input.require(scale > 0.,
+                  std::string(kind) + " " + name + "/Scale",
+                  "the scale must be positive.");
+    region(input, grid);
+    exact_solution(input, grid);
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  ErrorParameters<dim>::columns() const
+  {
+    return {"error " + name + " [-]"};
+  }
+
+  template <int dim>
+  Expression<dim>
+  ErrorParameters<dim>::exact_solution(const InputFile           &input,
+                                       const BackgroundGrid<dim> &grid) const
+  {
+    return Expression<dim>(input,
+                           std::string(kind) + " " + name + "/Exact",
+                           exact,
+                           n_components(),
+                           grid.parameters.lower_corner);
+  }
+
+  template <int dim>
+  BoundingBox<dim>
+  ErrorParameters<dim>::region(const InputFile           &input,
+                               const BackgroundGrid<dim> &grid) const
+  {
+    const std::string                 section = std::string(kind) + " " + name;
+    std::pair<Point<dim>, Point<dim>> corners(grid.parameters.lower_corner,
+                                              grid.parameters.upper_corner);
+    if (!region_lower.empty())
+      corners.first = entry_values::point<dim>(input,
+                                               section + "/Region lower",
+                                               region_lower);
+    if (!region_upper.empty())
+      corners.second = entry_values::point<dim>(input,
+                                                section + "/Region upper",
+                                                region_upper);
+    for (unsigned int d = 0; d < dim; ++d)
+      input.require(corners.first[d] < corners.second[d],
+                    section + (region_lower.empty() ? "/Region upper" :
+                                                      "/Region lower"),
+                    "the lower corner of the region must lie below its upper "
+                    "corner in each direction.");
+    return BoundingBox<dim>(corners);
+  }
+
+  template <int dim>
+  ErrorNorm<dim>::ErrorNorm(
+    const ErrorParameters<dim>                &error_parameters,
+    const InputFile                           &input,
+    const BackgroundGrid<dim>                 &grid,
+    const std::shared_ptr<NodalPressure<dim>> &nodal_pressure)
+    : parameters(error_parameters)
+    , exact(error_parameters.exact_solution(input, grid))
+    , region(error_parameters.region(input, grid))
+    , pressure(nodal_pressure)
+    , of_pressure(error_parameters.quantity == "pressure")
+  {}
+
+  template <int dim>
+  void
+  ErrorNorm<dim>::add(const Point<dim>     &x,
+                      const Tensor<1, dim> &computed,
+                      const double          weight)
+  {
+    if (!region.point_inside(x))
+      return;
+    Sample sample{computed, Tensor<1, dim>(), weight};
+    for (unsigned int c = 0; c < parameters.n_components(); ++c)
+      sample.exact[c] = exact.value(x, time, c);
+    samples.push_back(sample);
+  }
+
+  template <int dim>
+  void
+  ErrorNorm<dim>::sample_nodes(const StepView<dim> &view)
+  {
+    const double theta = of_pressure ? view.theta : 1.;
+    const auto  &field =
+      of_pressure ? pressure->field(view) : view.state.velocity_np1;
+    for (unsigned int node = 0; node < view.occupancy.n_own_nodes(); ++node)
+      {
+        // only nodes of occupied cells have mass
+        const double mass = view.state.mass.local_element(node);
+        if (mass <= 0.)
+          continue;
+        Point<dim>     x = view.occupancy.node_position(node);
+        Tensor<1, dim> computed;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] +=
+            theta * view.state.displacement().local_element(dim * node + d);
+        for (unsigned int c = 0; c < parameters.n_components(); ++c)
+          computed[c] =
+            field.local_element(parameters.n_components() * node + c);
+        add(x, computed, mass);
+      }
+  }
+
+  template <int dim>
+  void
+  ErrorNorm<dim>::sample_gauss_points(const StepView<dim> &view)
+  {
+    const double        theta = of_pressure ? view.theta : 1.;
+    const QGauss<dim>   quadrature(2);
+    const auto         *p = of_pressure ? &pressure->field(view) : nullptr;
+    GridEvaluation<dim> place(view);
+    for (const unsigned int cell : view.occupancy.occupied_cells())
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          place.reinit(cell, quadrature.point(q));
+          const Point<dim> x =
+            place.position() +
+            theta * place.vector_value(view.state.displacement());
+          Tensor<1, dim> computed;
+          if (of_pressure)
+            computed[0] = place.value(*p);
+          else
+            computed = place.vector_value(view.state.velocity_np1);
+          add(x,
+              computed,
+              view.occupancy.locator.measure(cell) * quadrature.weight(q));
+        }
+  }
+
+  template <int dim>
+  void
+  ErrorNorm<dim>::sample_material_points(const StepView<dim> &view)
+  {
+    GridEvaluation<dim>             place(view);
+    const double                   *p = view.points.data(PointColumn::pressure);
+    std::array<const double *, dim> v;
+    for (unsigned int d = 0; d < dim; ++d)
+      v[d] = view.points.data(PointColumn::velocity, d);
+    for (std::size_t i = 0; i < view.points.size(); ++i)
+      {
+        Point<dim>     x = view.points.position(i);
+        Tensor<1, dim> computed;
+        if (of_pressure)
+          {
+            // back from the end of the step to the time of the pressure
+            place.find_in_cell(view.points.cells()[i], x, /*theta=*/1.);
+            x -=
+              (1. - view.theta) * place.vector_value(view.state.displacement());
+            computed[0] = p[i];
+          }
+        else
+          for (unsigned int d = 0; d < dim; ++d)
+            computed[d] = v[d][i];
+        add(x, computed, /*weight=*/1.);
+      }
+  }
+
+  template <int dim>
+  double
+  ErrorNorm<dim>::evaluate(const MPI_Comm communicator)
+  {
+    // sum of weights, then weighted sums of the differences and of the exact
+    // values: subtracting means first keeps their squares free of cancellation
+    std::array<double, 1 + 2 * dim> first{}, means;
+    for (const Sample &sample : samples)
+      {
+        first[0] += sample.weight;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            first[1 + c] +=
+              sample.weight * (sample.computed[c] - sample.exact[c]);
+            first[1 + dim + c] += sample.weight * sample.exact[c];
+          }
+      }
+    Utilities::MPI::sum(ArrayView<const double>(first.data(), first.size()),
+                        communicator,
+                        ArrayView<double>(means.data(), means.size()));
+    const double   total = means[0];
+    Tensor<1, dim> mean_error, mean_exact;
+    if (parameters.remove_mean && total > 0.)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          mean_error[c] = means[1 + c] / total;
+          mean_exact[c] = means[1 + dim + c] / total;
+        }
+
+    std::array<double, 2> squares{}, sums; // of error and exact solution
+    double                largest = 0.;
+    for (const Sample &sample : samples)
+      {
+        const double error =
+          (sample.computed - sample.exact - mean_error).norm_square();
+        squares[0] += sample.weight * error;
+        squares[1] += sample.weight * (sample.exact - mean_exact).norm_square();
+        largest = std::max(largest, error);
+      }
+    Utilities::MPI::sum(ArrayView<const double>(squares.data(), 2),
+                        communicator,
+                        ArrayView<double>(sums.data(), 2));
+    largest = Utilities::MPI::max(largest, communicator);
+
+    if (total <= 0. || (parameters.norm == "relative L2" && sums[1] <= 0.))
+      return std::numeric_limits<double>::quiet_NaN();
+    if (parameters.norm == "relative L2")
+      return std::sqrt(sums[0] / sums[1]);
+    return std::sqrt(parameters.norm == "rms" ? sums[0] / total : largest) /
+           parameters.scale;
+  }
+
+  template <int dim>
+  void
+  ErrorNorm<dim>::execute(const StepView<dim> &view,
+                          StatisticsTable     &statistics)
+  {
+    samples.clear();
+    double error = std::numeric_limits<double>::quiet_NaN();
+    // nothing has computed a pressure before the first step
+    if (view.step > 0 || !of_pressure)
+      {
+        time = of_pressure ? view.pressure_time : view.time;
+        if (parameters.sample == "nodes")
+          sample_nodes(view);
+        else if (parameters.sample == "Gauss points")
+          sample_gauss_points(view);
+        else
+          sample_material_points(view);
+        error = evaluate(view.points.communicator);
+      }
+    statistics.set(parameters.columns()[0], error);
+  }
+
+  template struct ErrorParameters<2>;
+  template struct ErrorParameters<3>;
+  template class ErrorNorm<2>;
+  template class ErrorNorm<3>;
+} // namespace seiche

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/frame_series.h>
+#include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/mpi.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  FrameSeries::FrameSeries(const std::string   &series_name,
+                           const FrameSettings &frame_settings,
+                           const MPI_Comm       mpi_communicator)
+    : name(series_name)
+    , settings(frame_settings)
+    , communicator(mpi_communicator)
+  {}
+
+  bool
+  FrameSeries::due(const double time)
+  {
+    // sums of steps reach a multiple of the interval up to rounding only
+    const double slack = 1e-6 * settings.interval;
+    if (frames > 0 && time < next - slack &&
+        time < settings.end_time * (1. - 1e-12))
+      return false;
+    next =
+      settings.interval * (std::floor(time / settings.interval + 1e-6) + 1.);
+    return true;
+  }
+
+  std::string
+  FrameSeries::next_name()
+  {
+    return fmt::format("{}_{:06d}", name, frames++);
+  }
+
+  void
+  FrameSeries::on_all_ranks(const std::function<void()> &action) const
+  {
+    std::string failure;
+    try
+      {
+        action();
+      }
+    catch (const std::exception &error)
+      {
+        failure = error.what();
+      }
+    const unsigned int n = Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int first_failed =
+      Utilities::MPI::min(failure.empty() ?
+                            n :
+                            Utilities::MPI::this_mpi_process(communicator),
+                          communicator);
+    if (first_failed < n)
+      throw FileError(
+        Utilities::MPI::broadcast(communicator, failure, first_failed));
+  }
+
+  void
+  FrameSeries::write_vtu(
+    const double                               time,
+    const std::function<void(std::ostream &)> &piece,
+    const std::function<void(std::ostream &, const std::vector<std::string> &)>
+      &record)
+  {
+    const unsigned int n    = Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    const std::string  path = settings.directory + "/";
+    const std::string  stem = next_name();
+
+    std::vector<std::string> pieces;
+    for (unsigned int r = 0; r < n; ++r)
+      pieces.push_back(n == 1 ? stem + ".vtu" :
+                                fmt::format("{}.{:04d}.vtu", stem, r));
+    on_all_ranks([&]() { checked_file::write(path + pieces[rank], piece); });
+
+    // the index names only what is complete on the disk
+    index.emplace_back(time, n == 1 ? pieces[0] : stem + ".pvtu");
+    on_all_ranks([&]() {
+      if (rank > 0)
+        return;
+      if (n > 1)
+        checked_file::write(path + stem + ".pvtu",
+                            [&](std::ostream &out) { record(out, pieces); });
+      checked_file::write(path + name + ".pvd", [&](std::ostream &out) {
+        DataOutBase::write_pvd_record(out, index);
+      });
+    });
+  }
+
+  void
+  FrameSeries::write_from_first_rank(
+    const std::string                         &extension,
+    const std::function<void(std::ostream &)> &fill)
+  {
+    const std::string file =
+      settings.directory + "/" + next_name() + "." + extension;
+    on_all_ranks([&]() {
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        checked_file::write(file, fill);
+    });
+  }
+} // namespace seiche

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/postprocess/front_position.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <limits>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double lowest = -std::numeric_limits<double>::max();
+
+    void
+    maximum_over_ranks(std::vector<double> &values, const MPI_Comm communicator)
+    {
+      Utilities::MPI::max(ArrayView<const double>(values.data(), values.size()),
+                          communicator,
+                          ArrayView<double>(values.data(), values.size()));
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  FrontParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Direction",
+                      direction,
+                      "Axis along which the front moves.",
+                      Patterns::Selection(dim == 2 ? "x|y" : "x|y|z"));
+    prm.add_parameter("Sense",
+                      sense,
+                      "End of the fluid: the one of the largest or of the "
+                      "smallest coordinate.",
+                      Patterns::Selection("upper|lower"));
+  }
+
+  template <int dim>
+  void
+  FrontParameters<dim>::check(const InputFile &,
+                              const BackgroundGrid<dim> &) const
+  {}
+
+  template <int dim>
+  std::vector<std::string>
+  FrontParameters<dim>::columns() const
+  {
+    return {"front " + name + " [m]"};
+  }
+
+  template <int dim>
+  void
+  GaugeParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Position",
+                      position,
+                      "Place of the gauge; its vertical (last) coordinate is "
+                      "ignored. [m]",
+                      *Patterns::Tools::Convert<Point<dim>>::to_pattern(),
+                      /*has_to_be_set=*/true);
+    prm.add_parameter("Width",
+                      width,
+                      "Points within this distance on either side count; 0: "
+                      "the smallest cell edge. [m]",
+                      Patterns::Double(0.));
+  }
+
+  template <int dim>
+  void
+  GaugeParameters<dim>::check(const InputFile           &input,
+                              const BackgroundGrid<dim> &grid) const
+  {
+    const GridParameters<dim> &box = grid.parameters;
+    for (unsigned int d = 0; d + 1 < dim; ++d)
+      input.require(position[d] >= box.lower_corner[d] &&
+                      position[d] <= box.upper_corner[d],
+                    std::string(kind) + " " + name + "/Position",
+                    "the gauge stands outside the domain; its horizontal "
+                    "coordinates must lie between the corners of \"Grid\".");
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  GaugeParameters<dim>::columns() const
+  {
+    return {"gauge " + name + " [m]"};
+  }
+
+  template <int dim>
+  FrontPosition<dim>::FrontPosition(
+    const std::vector<FrontParameters<dim>> &parameters)
+    : fronts(parameters)
+  {}
+
+  template <int dim>
+  void
+  FrontPosition<dim>::execute(const StepView<dim> &view,
+                              StatisticsTable     &statistics)
+  {
+    std::vector<double> extreme(fronts.size(), lowest);
+    for (unsigned int f = 0; f < fronts.size(); ++f)
+      {
+        const double *x =
+          view.points.data(PointColumn::position, fronts[f].direction[0] - 'x');
+        const double sign = fronts[f].sense == "upper" ? 1. : -1.;
+        for (std::size_t i = 0; i < view.points.size(); ++i)
+          extreme[f] = std::max(extreme[f], sign * x[i]);
+      }
+    maximum_over_ranks(extreme, view.points.communicator);
+    for (unsigned int f = 0; f < fronts.size(); ++f)
+      {
+        const double sign = fronts[f].sense == "upper" ? 1. : -1.;
+        statistics.set(fronts[f].columns()[0],
+                       extreme[f] == lowest ?
+                         std::numeric_limits<double>::quiet_NaN() :
+                         sign * (extreme[f] + view.half_spacing));
+      }
+  }
+
+  template <int dim>
+  WaterLevel<dim>::WaterLevel(
+    const std::vector<GaugeParameters<dim>> &parameters,
+    const BackgroundGrid<dim>               &grid)
+    : gauges(parameters)
+    , bottom(grid.parameters.lower_corner[dim - 1])
+  {}
+
+  template <int dim>
+  void
+  WaterLevel<dim>::execute(const StepView<dim> &view,
+                           StatisticsTable     &statistics)
+  {
+    std::vector<double> level(gauges.size(), lowest);
+    for (unsigned int g = 0; g < gauges.size(); ++g)
+      {
+        const double width =
+          gauges[g].width > 0. ? gauges[g].width : view.spacing_cell;
+        const double *height = view.points.data(PointColumn::position, dim - 1);
+        std::array<const double *, dim - 1> x;
+        for (unsigned int d = 0; d + 1 < dim; ++d)
+          x[d] = view.points.data(PointColumn::position, d);
+        for (std::size_t i = 0; i < view.points.size(); ++i)
+          {
+            bool inside = true;
+            for (unsigned int d = 0; d + 1 < dim; ++d)
+              inside =
+                inside && std::abs(x[d][i] - gauges[g].position[d]) <= width;
+            if (inside)
+              level[g] = std::max(level[g], height[i]);
+          }
+      }
+    maximum_over_ranks(level, view.points.communicator);
+    for (unsigned int g = 0; g < gauges.size(); ++g)
+      statistics.set(gauges[g].columns()[0],
+                     level[g] == lowest ? bottom :
+                                          level[g] + view.half_spacing);
+  }
+
+  template struct FrontParameters<2>;
+  template struct FrontParameters<3>;
+  template struct GaugeParameters<2>;
+  template struct GaugeParameters<3>;
+  template class FrontPosition<2>;
+  template class FrontPosition<3>;
+  template class WaterLevel<2>;
+  template class WaterLevel<3>;
+} // namespace seiche

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/grid_evaluation.h>
+#include <seiche/utilities/shape_functions.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // |theta grad u| is a few tenths at most, so that the error is far below
+    // the accuracy of the fields when the limit is reached
+    constexpr unsigned int max_iterations = 8;
+    constexpr double       tolerance      = 1e-10; // of a cell edge
+
+    template <int dim>
+    bool
+    is_close(const Point<dim>     &a,
+             const Point<dim>     &b,
+             const Tensor<1, dim> &extent)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (std::abs(a[d] - b[d]) > tolerance * extent[d])
+          return false;
+      return true;
+    }
+
+    template <int dim>
+    Point<dim>
+    clamp(Point<dim> x, const Point<dim> &lower, const Point<dim> &upper)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        x[d] = std::min(std::max(x[d], lower[d]), upper[d]);
+      return x;
+    }
+  } // namespace
+
+  template <int dim>
+  GridEvaluation<dim>::GridEvaluation(const StepView<dim> &step)
+    : view(step)
+    , occupancy(step.occupancy)
+    , cell(CellLocator<dim>::invalid)
+    , shapes(step.occupancy.nodes_per_cell())
+  {}
+
+  template <int dim>
+  void
+  GridEvaluation<dim>::reinit(const unsigned int new_cell,
+                              const Point<dim>  &new_unit)
+  {
+    cell = new_cell;
+    unit = new_unit;
+    if (occupancy.fe.degree == 1)
+      LinearShape<dim>::values(unit, shapes.data());
+    else
+      for (unsigned int a = 0; a < shapes.size(); ++a)
+        shapes[a] = occupancy.fe.shape_value(a, unit);
+  }
+
+  template <int dim>
+  bool
+  GridEvaluation<dim>::find(const Point<dim> &x, const double theta)
+  {
+    const CellLocator<dim>    &locator = occupancy.locator;
+    const GridParameters<dim> &box     = locator.grid.parameters;
+
+    Point<dim> xi = clamp(x, box.lower_corner, box.upper_corner);
+    cell          = locator.find(xi, cell);
+    if (cell == CellLocator<dim>::invalid || !occupancy.is_active(cell))
+      return false;
+    reinit(cell, locator.to_unit(cell, xi));
+    for (unsigned int i = 0; i < max_iterations; ++i)
+      {
+        const Point<dim> next =
+          clamp(Point<dim>(x - theta * vector_value(view.state.displacement())),
+                box.lower_corner,
+                box.upper_corner);
+        if (is_close(next, xi, locator.extent(cell)))
+          break;
+        const unsigned int next_cell = locator.find(next, cell);
+        // into an obstacle or beyond what this rank knows: stay
+        if (next_cell == CellLocator<dim>::invalid ||
+            !occupancy.is_active(next_cell))
+          break;
+        xi = next;
+        reinit(next_cell, locator.to_unit(next_cell, xi));
+      }
+    return occupancy.is_occupied(cell);
+  }
+
+  template <int dim>
+  void
+  GridEvaluation<dim>::find_in_cell(const unsigned int cell_at_start,
+                                    const Point<dim>  &x,
+                                    const double       theta)
+  {
+    const CellLocator<dim> &locator = occupancy.locator;
+    const Point<dim>       &lower   = locator.lower_corner(cell_at_start);
+    const Point<dim>        upper   = lower + locator.extent(cell_at_start);
+
+    Point<dim> xi = clamp(x, lower, upper);
+    reinit(cell_at_start, locator.to_unit(cell_at_start, xi));
+    for (unsigned int i = 0; i < max_iterations; ++i)
+      {
+        const Point<dim> next =
+          clamp(Point<dim>(x - theta * vector_value(view.state.displacement())),
+                lower,
+                upper);
+        if (is_close(next, xi, locator.extent(cell)))
+          break;
+        xi = next;
+        reinit(cell, locator.to_unit(cell, xi));
+      }
+  }
+
+  template <int dim>
+  double
+  GridEvaluation<dim>::value(const Vector &field) const
+  {
+    const unsigned int *node = nodes();
+    double              sum  = 0.;
+    for (unsigned int a = 0; a < shapes.size(); ++a)
+      sum += shapes[a] * field.local_element(node[a]);
+    return sum;
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  GridEvaluation<dim>::vector_value(const Vector &field) const
+  {
+    const unsigned int *node = nodes();
+    Tensor<1, dim>      sum;
+    for (unsigned int a = 0; a < shapes.size(); ++a)
+      for (unsigned int d = 0; d < dim; ++d)
+        sum[d] += shapes[a] * field.local_element(dim * node[a] + d);
+    return sum;
+  }
+
+  template <int dim>
+  Point<dim>
+  GridEvaluation<dim>::position() const
+  {
+    Point<dim> x = occupancy.locator.lower_corner(cell);
+    for (unsigned int d = 0; d < dim; ++d)
+      x[d] += unit[d] * occupancy.locator.extent(cell)[d];
+    return x;
+  }
+
+  template <int dim>
+  const unsigned int *
+  GridEvaluation<dim>::nodes() const
+  {
+    return occupancy.cell_nodes(cell);
+  }
+
+  template class GridEvaluation<2>;
+  template class GridEvaluation<3>;
+} // namespace seiche

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/field_patches.h>
+#include <seiche/postprocess/grid_output.h>
+
+#include <deal.II/base/geometry_info.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// One patch for each own occupied cell.
+    template <int dim>
+    FieldPatches<dim, dim>
+    make_patches(const StepView<dim>                   &view,
+                 const typename GridState<dim>::Vector &pressure)
+    {
+      FieldPatches<dim, dim> grid(view.time, view.step);
+      grid.add_vector("velocity [m/s]");
+      grid.add_vector("displacement of the step [m]");
+      grid.add_scalar("pressure [Pa]");
+      grid.add_scalar("nodal fill [-]");
+      grid.add_scalar("cell fill [-]");
+      grid.add_scalar("Gauss weight [-]");
+      grid.add_scalar("cell class (0 inner 1 cut 2 thin 3 sliver)");
+
+      const Occupancy<dim>   &occupancy = view.occupancy;
+      const CellLocator<dim> &locator   = occupancy.locator;
+      const auto             &cells     = occupancy.occupied_cells();
+      const Fill<dim>        &fill      = view.fill;
+      grid.patches.resize(cells.size());
+      for (std::size_t k = 0; k < cells.size(); ++k)
+        {
+          const unsigned int       cell  = cells[k];
+          DataOutBase::Patch<dim> &patch = grid.patches[k];
+          const unsigned int      *nodes = occupancy.cell_nodes(cell);
+          const unsigned int       n     = GeometryInfo<dim>::vertices_per_cell;
+          patch.patch_index              = k;
+          patch.n_subdivisions           = 1;
+          patch.data.reinit(grid.n_rows(), n);
+          // vertices come first in deal.II's numbering of every FE_Q
+          for (unsigned int v = 0; v < n; ++v)
+            {
+              patch.vertices[v] = locator.lower_corner(cell);
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  if ((v >> d) & 1u)
+                    patch.vertices[v][d] += locator.extent(cell)[d];
+                  const unsigned int entry = dim * nodes[v] + d;
+                  patch.data(d, v) =
+                    view.state.velocity_np1.local_element(entry);
+                  patch.data(dim + d, v) =
+                    view.state.displacement().local_element(entry);
+                }
+              patch.data(2 * dim, v) = pressure.local_element(nodes[v]);
+              patch.data(2 * dim + 1, v) =
+                fill.nodal_fill().local_element(nodes[v]);
+              patch.data(2 * dim + 2, v) = fill.cell_fill(cell);
+              patch.data(2 * dim + 3, v) = fill.gauss_weight(cell);
+              patch.data(2 * dim + 4, v) =
+                fill.is_cut(cell) + fill.is_thin(cell) + fill.is_sliver(cell);
+            }
+        }
+      return grid;
+    }
+  } // namespace
+
+  template <int dim>
+  GridOutput<dim>::GridOutput(
+    const FrameSettings                       &settings,
+    const std::shared_ptr<NodalPressure<dim>> &nodal_pressure,
+    const MPI_Comm                             communicator)
+    : series("grid", settings, communicator)
+    , pressure(nodal_pressure)
+  {}
+
+  template <int dim>
+  void
+  GridOutput<dim>::execute(const StepView<dim> &view,
+                           StatisticsTable & /*statistics*/)
+  {
+    if (!series.due(view.time))
+      return;
+    const auto patches = make_patches(view, pressure->field(view));
+    series.write_vtu(
+      view.time,
+      [&](std::ostream &out) { patches.write_vtu(out); },
+      [&](std::ostream &out, const std::vector<std::string> &pieces) {
+        patches.write_pvtu_record(out, pieces);
+      });
+  }
+
+  template class GridOutput<2>;
+  template class GridOutput<3>;
+} // namespace seiche

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/field_patches.h>
+#include <seiche/postprocess/point_output.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int exact_bits = 24; // of a float
+
+    /// One patch of a single vertex for each point.
+    template <int dim>
+    FieldPatches<0, dim>
+    make_patches(const StepView<dim> &view)
+    {
+      FieldPatches<0, dim> cloud(view.time, view.step);
+      cloud.add_vector("velocity [m/s]");
+      cloud.add_scalar("pressure [Pa]");
+      cloud.add_scalar("volume ratio [-]");
+      cloud.add_scalar("mass [kg]");
+      cloud.add_scalar("radius [m]");
+      cloud.add_scalar("id low 24 bits");
+      cloud.add_scalar("id high bits");
+
+      const PointCloud<dim> &points = view.points;
+      const double          *ratio  = points.data(PointColumn::volume_ratio);
+      const double          *v0     = points.data(PointColumn::initial_volume);
+      cloud.patches.resize(points.size());
+      for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          DataOutBase::Patch<0, dim> &patch = cloud.patches[i];
+          patch.patch_index                 = i;
+          patch.vertices[0]                 = points.position(i);
+          patch.data.reinit(cloud.n_rows(), 1);
+          for (unsigned int d = 0; d < dim; ++d)
+            patch.data(d, 0) = points.data(PointColumn::velocity, d)[i];
+          patch.data(dim, 0)     = points.data(PointColumn::pressure)[i];
+          patch.data(dim + 1, 0) = ratio[i];
+          patch.data(dim + 2, 0) = points.data(PointColumn::mass)[i];
+          patch.data(dim + 3, 0) = 0.5 * std::pow(ratio[i] * v0[i], 1. / dim);
+          patch.data(dim + 4, 0) =
+            points.ids()[i] & ((std::uint64_t(1) << exact_bits) - 1);
+          patch.data(dim + 5, 0) = points.ids()[i] >> exact_bits;
+        }
+      return cloud;
+    }
+  } // namespace
+
+  template <int dim>
+  PointOutput<dim>::PointOutput(const FrameSettings &settings,
+                                const MPI_Comm       communicator)
+    : series("points", settings, communicator)
+  {}
+
+  template <int dim>
+  void
+  PointOutput<dim>::execute(const StepView<dim> &view,
+                            StatisticsTable & /*statistics*/)
+  {
+    if (!series.due(view.time))
+      return;
+    const auto patches = make_patches(view);
+    series.write_vtu(
+      view.time,
+      [&](std::ostream &out) { patches.write_vtu(out); },
+      [&](std::ostream &out, const std::vector<std::string> &pieces) {
+        patches.write_pvtu_record(out, pieces);
+      });
+  }
+
+  template class PointOutput<2>;
+  template class PointOutput<3>;
+} // namespace seiche

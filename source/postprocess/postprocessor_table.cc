@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/postprocess/error_norms.h>
+#include <seiche/postprocess/front_position.h>
+#include <seiche/postprocess/grid_output.h>
+#include <seiche/postprocess/mass_and_energy.h>
+#include <seiche/postprocess/point_output.h>
+#include <seiche/postprocess/point_series.h>
+#include <seiche/postprocess/postprocessor_table.h>
+#include <seiche/postprocess/probes.h>
+#include <seiche/postprocess/scores.h>
+#include <seiche/postprocess/tracked_points.h>
+#include <seiche/postprocess/wall_forces.h>
+#include <seiche/scene/entry_values.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// prm entries of "Output" that choose frames.
+    struct FrameParameters
+    {
+      double interval = 0.; ///< [s], 0: no frames
+      bool   grid     = true;
+      bool   points   = true;
+      bool   series   = false;
+
+      void
+      add_parameters(ParameterHandler &prm);
+    };
+
+    void
+    FrameParameters::add_parameters(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Output");
+      prm.add_parameter("Interval",
+                        interval,
+                        "Time between two frames of grid and points; 0: no "
+                        "frames. [s]",
+                        Patterns::Double(0.));
+      prm.add_parameter("Grid",
+                        grid,
+                        "Write the occupied cells for ParaView (grid.pvd).");
+      prm.add_parameter("Points",
+                        points,
+                        "Write the points for ParaView (points.pvd).");
+      prm.add_parameter("Point series",
+                        series,
+                        "Write the points in full precision, one HDF5 file a "
+                        "frame.");
+      prm.leave_subsection();
+    }
+
+    /// The subsections "KIND NAME" of the file, in its order.
+    template <typename Parameters>
+    std::vector<Parameters>
+    find_instances(const InputFile &input)
+    {
+      std::vector<Parameters> result;
+      for (const std::string &name : input.instances(Parameters::kind))
+        {
+          result.emplace_back();
+          result.back().name = name;
+        }
+      return result;
+    }
+
+    template <typename Parameters>
+    void
+    declare(std::vector<Parameters> &instances, ParameterHandler &prm)
+    {
+      for (Parameters &instance : instances)
+        {
+          prm.enter_subsection(std::string(Parameters::kind) + " " +
+                               instance.name);
+          instance.add_parameters(prm);
+          prm.leave_subsection();
+        }
+    }
+
+    /// Check the instances and note the columns that they will add.
+    template <typename Parameters, int dim>
+    void
+    check_instances(const std::vector<Parameters> &instances,
+                    const InputFile               &input,
+                    const BackgroundGrid<dim>     &grid,
+                    std::vector<std::string>      &columns)
+    {
+      for (const Parameters &instance : instances)
+        {
+          instance.check(input, grid);
+          for (const std::string &column : instance.columns())
+            columns.push_back(column);
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  struct PostprocessorList<dim>::Implementation
+  {
+    explicit Implementation(const InputFile &input_file)
+      : input(input_file)
+      , fronts(find_instances<FrontParameters<dim>>(input_file))
+      , gauges(find_instances<GaugeParameters<dim>>(input_file))
+      , probes(find_instances<ProbeParameters<dim>>(input_file))
+      , tracks(find_instances<TrackedPointParameters<dim>>(input_file))
+      , forces(find_instances<ForceParameters<dim>>(input_file))
+      , errors(find_instances<ErrorParameters<dim>>(input_file))
+      , score_parameters(find_instances<ScoreParameters>(input_file))
+    {}
+
+    /// Output objects; nothing is made without an interval.
+    void
+    make_frames(const std::string &directory, const MPI_Comm communicator);
+
+    const InputFile &input;
+
+    FrameParameters                          frames;
+    std::vector<FrontParameters<dim>>        fronts;
+    std::vector<GaugeParameters<dim>>        gauges;
+    std::vector<ProbeParameters<dim>>        probes;
+    std::vector<TrackedPointParameters<dim>> tracks;
+    std::vector<ForceParameters<dim>>        forces;
+    std::vector<ErrorParameters<dim>>        errors;
+    std::vector<ScoreParameters>             score_parameters;
+
+    std::shared_ptr<NodalPressure<dim>>              pressure;
+    std::vector<std::unique_ptr<Postprocessor<dim>>> list;
+    const MassAndEnergy<dim>                        *ledger = nullptr;
+    std::vector<Score>                               scores;
+  };
+
+  template <int dim>
+  void
+  PostprocessorList<dim>::Implementation::make_frames(
+    const std::string &directory,
+    const MPI_Comm     communicator)
+  {
+    if (directory.empty() || frames.interval == 0.)
+      return;
+    const FrameSettings settings{directory,
+                                 frames.interval,
+                                 entry_values::number(input,
+                                                      "Time/End time",
+                                                      input.value(
+                                                        "Time/End time"))};
+    if (frames.grid)
+      list.push_back(
+        std::make_unique<GridOutput<dim>>(settings, pressure, communicator));
+    if (frames.points)
+      list.push_back(
+        std::make_unique<PointOutput<dim>>(settings, communicator));
+    if (frames.series)
+      list.push_back(
+        std::make_unique<PointSeries<dim>>(settings, communicator));
+  }
+
+  template <int dim>
+  PostprocessorList<dim>::PostprocessorList(const InputFile &input)
+    : implementation(std::make_unique<Implementation>(input))
+  {}
+
+  template <int dim>
+  PostprocessorList<dim>::~PostprocessorList() = default;
+
+  template <int dim>
+  void
+  PostprocessorList<dim>::add_parameters(ParameterHandler &prm)
+  {
+    implementation->frames.add_parameters(prm);
+    declare(implementation->fronts, prm);
+    declare(implementation->gauges, prm);
+    declare(implementation->probes, prm);
+    declare(implementation->tracks, prm);
+    declare(implementation->forces, prm);
+    declare(implementation->errors, prm);
+    declare(implementation->score_parameters, prm);
+  }
+
+  template <int dim>
+  void
+  PostprocessorList<dim>::check(const BackgroundGrid<dim> &grid) const
+  {
+    const Implementation    &all     = *implementation;
+    std::vector<std::string> columns = {"step",
+                                        "time [s]",
+                                        "dt [s]",
+                                        "pressure_time [s]",
+                                        "newton_iterations",
+                                        "krylov_iterations"};
+    for (const std::string &column : MassAndEnergy<dim>::columns())
+      columns.push_back(column);
+    check_instances(all.fronts, all.input, grid, columns);
+    check_instances(all.gauges, all.input, grid, columns);
+    check_instances(all.probes, all.input, grid, columns);
+    check_instances(all.tracks, all.input, grid, columns);
+    check_instances(all.forces, all.input, grid, columns);
+    check_instances(all.errors, all.input, grid, columns);
+    for (const ScoreParameters &score : all.score_parameters)
+      score.check(all.input, columns);
+  }
+
+  template <int dim>
+  void
+  PostprocessorList<dim>::make(const std::string         &directory,
+                               const BackgroundGrid<dim> &grid,
+                               const MPI_Comm             communicator)
+  {
+    Implementation &all = *implementation;
+    all.list.clear();
+    all.scores.clear();
+    all.pressure = std::make_shared<NodalPressure<dim>>();
+
+    auto ledger = std::make_unique<MassAndEnergy<dim>>(grid);
+    all.ledger  = ledger.get();
+    all.list.push_back(std::move(ledger));
+
+    // THE table of postprocessors: one line a kind
+    if (!all.fronts.empty())
+      all.list.push_back(std::make_unique<FrontPosition<dim>>(all.fronts));
+    if (!all.gauges.empty())
+      all.list.push_back(std::make_unique<WaterLevel<dim>>(all.gauges, grid));
+    if (!all.probes.empty())
+      {
+        const bool writes = !directory.empty() &&
+                            Utilities::MPI::this_mpi_process(communicator) == 0;
+        all.list.push_back(
+          std::make_unique<Probes<dim>>(all.probes,
+                                        grid,
+                                        all.pressure,
+                                        writes ? directory + "/probes.csv" :
+                                                 std::string()));
+      }
+    if (!all.tracks.empty())
+      all.list.push_back(std::make_unique<TrackedPoints<dim>>(all.tracks));
+    if (!all.forces.empty())
+      all.list.push_back(std::make_unique<WallForces<dim>>(all.forces, grid));
+    for (const auto &error : all.errors)
+      all.list.push_back(
+        std::make_unique<ErrorNorm<dim>>(error, all.input, grid, all.pressure));
+    for (const ScoreParameters &score : all.score_parameters)
+      all.scores.emplace_back(score, all.input);
+    all.make_frames(directory, communicator);
+  }
+
+  template <int dim>
+  void
+  PostprocessorList<dim>::execute(const StepView<dim> &view,
+                                  StatisticsTable     &statistics)
+  {
+    implementation->pressure->begin_step();
+    for (const auto &postprocessor : implementation->list)
+      postprocessor->execute(view, statistics);
+  }
+
+  template <int dim>
+  void
+  PostprocessorList<dim>::finish(const StatisticsTable  &statistics,
+                                 nlohmann::ordered_json &summary)
+  {
+    for (const auto &postprocessor : implementation->list)
+      postprocessor->finish(statistics, summary);
+
+    nlohmann::ordered_json &errors = summary["errors"];
+    errors                         = nlohmann::ordered_json::object();
+    for (const Score &score : implementation->scores)
+      {
+        const std::string &name = score.parameters.name;
+        std::string        warning;
+        const auto         value = score.evaluate(statistics, warning);
+        if (value)
+          errors[name] = *value;
+        else
+          {
+            errors[name] = nullptr;
+            summary["warnings"].push_back("no score \"" + name +
+                                          "\": " + warning);
+          }
+      }
+  }
+
+  template <int dim>
+  double
+  PostprocessorList<dim>::relative_energy() const
+  {
+    return implementation->ledger->relative_energy();
+  }
+
+  template class PostprocessorList<2>;
+  template class PostprocessorList<3>;
+} // namespace seiche

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/postprocess/grid_evaluation.h>
+#include <seiche/postprocess/probes.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <limits>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr std::array<const char *, 3> axis = {{"x", "y", "z"}};
+
+    /// Signed distance of @p x to a box along the direction in which it is
+    /// farthest outside (or nearest to a face, if inside), and that direction.
+    template <int dim>
+    std::pair<double, unsigned int>
+    nearest_face(const Point<dim> &x,
+                 const Point<dim> &lower,
+                 const Point<dim> &upper)
+    {
+      std::pair<double, unsigned int> nearest(
+        -std::numeric_limits<double>::max(), 0);
+      for (unsigned int d = 0; d < dim; ++d)
+        nearest =
+          std::max(nearest,
+                   std::make_pair(std::max(lower[d] - x[d], x[d] - upper[d]),
+                                  d));
+      return nearest;
+    }
+
+    /// Normal direction of the wall nearest to @p x, outer sides and faces of
+    /// obstacles.
+    template <int dim>
+    unsigned int
+    wall_normal(const Point<dim> &x, const GridParameters<dim> &box)
+    {
+      auto nearest  = nearest_face(x, box.lower_corner, box.upper_corner);
+      nearest.first = std::abs(nearest.first);
+      for (const auto &obstacle : box.obstacles)
+        {
+          const auto face =
+            nearest_face(x, obstacle.lower_corner, obstacle.upper_corner);
+          if (std::abs(face.first) < nearest.first)
+            nearest = {std::abs(face.first), face.second};
+        }
+      return nearest.second;
+    }
+
+    template <int dim>
+    bool
+    holds_fluid(const Point<dim> &x, const GridParameters<dim> &box)
+    {
+      const double slack = 1e-10 * box.lower_corner.distance(box.upper_corner);
+      if (nearest_face(x, box.lower_corner, box.upper_corner).first > slack)
+        return false;
+      for (const auto &obstacle : box.obstacles)
+        if (nearest_face(x, obstacle.lower_corner, obstacle.upper_corner)
+              .first < -slack)
+          return false;
+      return true;
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  ProbeParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Position",
+                      position,
+                      "Place of the probe, in the fluid or on a wall. [m]",
+                      *Patterns::Tools::Convert<Point<dim>>::to_pattern(),
+                      /*has_to_be_set=*/true);
+    prm.add_parameter("Quantity",
+                      quantity,
+                      "What is read.",
+                      Patterns::Selection("pressure|velocity"));
+    prm.add_parameter("Diameter",
+                      diameter,
+                      "Diameter of a sensor over which the mean is taken, in "
+                      "the plane of the nearest wall (2D: a line); 0: a "
+                      "point. [m]",
+                      Patterns::Double(0.));
+  }
+
+  template <int dim>
+  void
+  ProbeParameters<dim>::check(const InputFile           &input,
+                              const BackgroundGrid<dim> &grid) const
+  {
+    const std::string section = std::string(kind) + " " + name;
+    input.require(holds_fluid(position, grid.parameters),
+                  section + "/Position",
+                  "the probe lies outside the domain or inside an obstacle; "
+                  "move it into the fluid or onto a wall.");
+    for (const Point<dim> &x : places(grid))
+      input.require(holds_fluid(x, grid.parameters),
+                    section + "/Diameter",
+                    "the sensor reaches beyond the wall that it lies in; "
+                    "choose a smaller diameter or move it.");
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  ProbeParameters<dim>::columns() const
+  {
+    if (quantity == "pressure")
+      return {"probe " + name + " pressure [Pa]"};
+    std::vector<std::string> names;
+    for (unsigned int d = 0; d < dim; ++d)
+      names.push_back("probe " + name + " velocity " + axis[d] + " [m/s]");
+    return names;
+  }
+
+  template <int dim>
+  std::vector<Point<dim>>
+  ProbeParameters<dim>::places(const BackgroundGrid<dim> &grid) const
+  {
+    if (diameter == 0.)
+      return {position};
+    const unsigned int      normal = wall_normal(position, grid.parameters);
+    std::vector<Point<dim>> result;
+    if constexpr (dim == 2)
+      {
+        constexpr unsigned int n = 9; // midpoints of equal pieces of the line
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            Point<dim> x = position;
+            x[1 - normal] += diameter * ((i + 0.5) / n - 0.5);
+            result.push_back(x);
+          }
+      }
+    else
+      {
+        constexpr unsigned int n_rings  = 4,
+                               n_angles = 8; // pieces of equal area
+        for (unsigned int r = 0; r < n_rings; ++r)
+          for (unsigned int a = 0; a < n_angles; ++a)
+            {
+              const double radius =
+                0.5 * diameter * std::sqrt((r + 0.5) / n_rings);
+              const double angle =
+                2. * numbers::PI * (a + 0.5 * (r % 2)) / n_angles;
+              Point<dim> x = position;
+              x[(normal + 1) % dim] += radius * std::cos(angle);
+              x[(normal + 2) % dim] += radius * std::sin(angle);
+              result.push_back(x);
+            }
+      }
+    return result;
+  }
+
+  template <int dim>
+  Probes<dim>::Probes(const std::vector<ProbeParameters<dim>>   &parameters,
+                      const BackgroundGrid<dim>                 &grid,
+                      const std::shared_ptr<NodalPressure<dim>> &nodal_pressure,
+                      const std::string                         &filename)
+    : probes(parameters)
+    , pressure(nodal_pressure)
+    , table(filename)
+  {
+    for (const auto &probe : probes)
+      places.push_back(probe.places(grid));
+  }
+
+  template <int dim>
+  void
+  Probes<dim>::execute(const StepView<dim> &view, StatisticsTable &statistics)
+  {
+    const CellLocator<dim> &locator      = view.occupancy.locator;
+    const auto             &p            = pressure->field(view);
+    const MPI_Comm          communicator = view.points.communicator;
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+
+    // the owner of the cell around the place reads it; others add zero
+    std::vector<double> readings;
+    for (unsigned int k = 0; k < probes.size(); ++k)
+      {
+        const bool          scalar = probes[k].quantity == "pressure";
+        Tensor<1, dim>      sum;
+        GridEvaluation<dim> here(view);
+        for (const Point<dim> &x : places[k])
+          {
+            const unsigned int cell = locator.find(x);
+            if (cell == CellLocator<dim>::invalid ||
+                locator.owner(cell) != rank ||
+                !here.find(x, scalar ? view.theta : 1.))
+              continue;
+            if (scalar)
+              sum[0] += here.value(p);
+            else
+              sum += here.vector_value(view.state.velocity_np1);
+          }
+        for (unsigned int c = 0; c < (scalar ? 1 : dim); ++c)
+          readings.push_back(sum[c] / places[k].size());
+      }
+    Utilities::MPI::sum(ArrayView<const double>(readings.data(),
+                                                readings.size()),
+                        communicator,
+                        ArrayView<double>(readings.data(), readings.size()));
+
+    table.set("time [s]", view.time);
+    table.set("pressure_time [s]", view.pressure_time);
+    auto reading = readings.begin();
+    for (const auto &probe : probes)
+      for (const std::string &column : probe.columns())
+        {
+          statistics.set(column, *reading);
+          table.set(column, *reading++);
+        }
+    table.end_row();
+  }
+
+  template struct ProbeParameters<2>;
+  template struct ProbeParameters<3>;
+  template class Probes<2>;
+  template class Probes<3>;
+} // namespace seiche

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/parameters/nearest_name.h>
+#include <seiche/postprocess/scores.h>
+#include <seiche/scene/entry_values.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  void
+  ScoreParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Column",
+                      column,
+                      "Column of statistics.csv, with its unit.",
+                      Patterns::Anything(),
+                      /*has_to_be_set=*/true);
+    prm.add_parameter("Time column",
+                      time_column,
+                      "Time of the values: the end of the step, or the time "
+                      "of the pressure.",
+                      Patterns::Selection("time|pressure_time"));
+    prm.add_parameter("Reference",
+                      reference,
+                      "Reference as a function of t, in the unit of the "
+                      "column.");
+    prm.add_parameter("Reference table",
+                      table,
+                      "Reference as a CSV file with one header line, relative "
+                      "to the parameter file; instead of \"Reference\".");
+    prm.add_parameter("Table columns",
+                      table_columns,
+                      "Columns of time and value in the table, counted from "
+                      "0.");
+    prm.add_parameter("Table factors",
+                      table_factors,
+                      "Factors that turn time and value of the table into "
+                      "SI units.");
+    prm.add_parameter("Interpolation",
+                      interpolation,
+                      "Between the rows of the table.",
+                      Patterns::Selection("linear|spline"));
+    prm.add_parameter(
+      "Measure",
+      measure,
+      "What is made of the deviations. rms, mean and mean absolute weigh each "
+      "row by its step size; maximum is that of the absolute value.",
+      Patterns::Selection("rms|mean|maximum|last|mean absolute"));
+    prm.add_parameter("Relative",
+                      relative,
+                      "Deviation is value/reference - 1 instead of value - "
+                      "reference.");
+    prm.add_parameter("Times",
+                      times,
+                      "Compare at these times only; empty: at every step. [s]");
+    prm.add_parameter("From", from, "Begin of the window. [s]");
+    prm.add_parameter("To",
+                      to,
+                      "End of the window; 0: the end of the run. [s]",
+                      Patterns::Double(0.));
+    prm.add_parameter("Scale",
+                      scale,
+                      "The result is divided by this, in the unit of the "
+                      "column.",
+                      Patterns::Double());
+  }
+
+  void
+  ScoreParameters::check(const InputFile                &input,
+                         const std::vector<std::string> &columns) const
+  {
+    const std::string section = std::string(kind) + " " + name;
+    const std::string hint    = nearest_hint(column, columns);
+    input.require(std::find(columns.begin(), columns.end(), column) !=
+                    columns.end(),
+                  section + "/Column",
+                  "the statistics have no such column" +
+                    (hint.empty() ? "." : hint) + " Columns are " +
+                    quoted_list(columns) + ".");
+    input.require(table.empty() || !input.is_set(section + "/Reference"),
+                  section + "/Reference",
+                  "there is a \"Reference table\" too; keep one of the two.");
+    input.require(scale != 0., section + "/Scale", "the scale must not be 0.");
+    input.require(to == 0. || to >= from,
+                  section + "/To",
+                  "the window must not end before \"From\"; 0 means the end "
+                  "of the run.");
+    const Score constructible(*this, input);
+  }
+
+  Score::Score(const ScoreParameters &score_parameters, const InputFile &input)
+    : parameters(score_parameters)
+  {
+    const std::string section =
+      std::string(ScoreParameters::kind) + " " + parameters.name;
+    if (!parameters.times.empty())
+      times =
+        entry_values::numbers(input, section + "/Times", parameters.times);
+    if (parameters.table.empty())
+      {
+        expression = std::make_unique<const Expression<2>>(
+          input, section + "/Reference", parameters.reference, 1);
+        return;
+      }
+
+    const auto columns = entry_values::numbers(input,
+                                               section + "/Table columns",
+                                               parameters.table_columns);
+    const auto factors = entry_values::numbers(input,
+                                               section + "/Table factors",
+                                               parameters.table_factors);
+    input.require(columns.size() == 2 && columns[0] >= 0. && columns[1] >= 0. &&
+                    columns[0] == std::floor(columns[0]) &&
+                    columns[1] == std::floor(columns[1]),
+                  section + "/Table columns",
+                  "two column numbers, 0 or larger, are needed: of the time "
+                  "and of the value.");
+    input.require(factors.size() == 2 && factors[0] > 0.,
+                  section + "/Table factors",
+                  "two factors are needed: of the time (positive) and of the "
+                  "value.");
+    const std::string filename = parameters.table[0] == '/' ?
+                                   parameters.table :
+                                   input.directory() + "/" + parameters.table;
+    table                      = std::make_unique<const ReferenceTable>(
+      filename,
+      std::array<unsigned int, 2>{{static_cast<unsigned int>(columns[0]),
+                                                        static_cast<unsigned int>(columns[1])}},
+      std::array<double, 2>{{factors[0], factors[1]}},
+      parameters.interpolation == "spline" ?
+                             ReferenceTable::Interpolation::spline :
+                             ReferenceTable::Interpolation::linear,
+      [&](const std::string &problem) {
+        input.fail(section + "/Reference table", problem);
+      });
+  }
+
+  std::vector<Score::Row>
+  Score::sample(const std::vector<Row> &all, std::string &warning) const
+  {
+    std::vector<Row> samples;
+    for (const double time : times)
+      {
+        // a row that ends at the time asked for, up to rounding, serves too
+        const double slack = 1e-9 * std::abs(time);
+        std::size_t  next  = 0;
+        while (next < all.size() && all[next].time < time - slack)
+          ++next;
+        if (next == all.size() || (next == 0 && all[0].time > time + slack))
+          {
+            warning = fmt::format("the run gives no value at t = {} s", time);
+            return {};
+          }
+        const Row   &after = all[next];
+        const double share =
+          next == 0 || after.time - time <= slack ?
+            1. :
+            (time - all[next - 1].time) / (after.time - all[next - 1].time);
+        samples.push_back(
+          {time,
+           share * after.value +
+             (share < 1. ? (1. - share) * all[next - 1].value : 0.),
+           1.});
+      }
+    return samples;
+  }
+
+  std::vector<Score::Row>
+  Score::rows(const StatisticsTable &statistics, std::string &warning) const
+  {
+    const bool  at_pressure_time = parameters.time_column == "pressure_time";
+    const auto &values           = statistics.column(parameters.column);
+    const auto &time = statistics.column(parameters.time_column + " [s]");
+    const auto &dt   = statistics.column("dt [s]");
+
+    std::vector<Row> all;
+    for (std::size_t i = (at_pressure_time ? 1 : 0); i < values.size(); ++i)
+      if (std::isfinite(values[i]))
+        all.push_back({time[i], values[i], dt[i]});
+    if (!times.empty())
+      return sample(all, warning);
+
+    // steps end where they should up to rounding
+    const double     slack = 1e-9 * (all.empty() ? 0. : all.back().time);
+    std::vector<Row> window;
+    for (const Row &row : all)
+      if (row.time >= parameters.from - slack &&
+          (parameters.to == 0. || row.time <= parameters.to + slack) &&
+          (!table || table->covers(row.time)))
+        window.push_back(row);
+    if (window.empty())
+      warning = "no step of the run lies in the window (and in the table)";
+    return window;
+  }
+
+  std::optional<double>
+  Score::evaluate(const StatisticsTable &statistics, std::string &warning) const
+  {
+    if (!statistics.has(parameters.column))
+      {
+        warning = "the run has written no column " + parameters.column;
+        return {};
+      }
+    double weights = 0., sum = 0., absolute = 0., square = 0., largest = 0.,
+           last                     = 0.;
+    const std::vector<Row> compared = rows(statistics, warning);
+    for (const Row &row : compared)
+      {
+        if (table && !table->covers(row.time))
+          {
+            warning =
+              fmt::format("the table does not cover t = {} s", row.time);
+            return {};
+          }
+        const double reference = table ?
+                                   table->value(row.time) :
+                                   expression->value(Point<2>(), row.time);
+        last = parameters.relative ? row.value / reference - 1. :
+                                     row.value - reference;
+        if (!std::isfinite(last))
+          {
+            warning =
+              fmt::format("the reference is zero at t = {} s", row.time);
+            return {};
+          }
+        weights += row.weight;
+        sum += row.weight * last;
+        absolute += row.weight * std::abs(last);
+        square += row.weight * last * last;
+        largest = std::max(largest, std::abs(last));
+      }
+    if (compared.empty())
+      return {};
+
+    double result = last;
+    if (parameters.measure == "rms")
+      result = std::sqrt(square / weights);
+    else if (parameters.measure == "mean")
+      result = sum / weights;
+    else if (parameters.measure == "mean absolute")
+      result = absolute / weights;
+    else if (parameters.measure == "maximum")
+      result = largest;
+    result /= parameters.scale;
+    if (std::isfinite(result))
+      return result;
+    warning = "no step lies in the window (only the start of the run)";
+    return {};
+  }
+} // namespace seiche

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/postprocess/tracked_points.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <limits>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr std::array<const char *, 3> axis = {{"x", "y", "z"}};
+    constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+  } // namespace
+
+  template <int dim>
+  void
+  TrackedPointParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Position",
+                      position,
+                      "The material point nearest to this place at the start "
+                      "is followed. [m]",
+                      *Patterns::Tools::Convert<Point<dim>>::to_pattern(),
+                      /*has_to_be_set=*/true);
+    prm.add_parameter("Centre",
+                      centre,
+                      "The distance from here, over that at the start, is the "
+                      "radius ratio. [m]");
+  }
+
+  template <int dim>
+  void
+  TrackedPointParameters<dim>::check(const InputFile           &input,
+                                     const BackgroundGrid<dim> &grid) const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      input.require(position[d] >= grid.parameters.lower_corner[d] &&
+                      position[d] <= grid.parameters.upper_corner[d],
+                    std::string(kind) + " " + name + "/Position",
+                    "the place lies outside the domain; choose one in the "
+                    "fluid.");
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  TrackedPointParameters<dim>::columns() const
+  {
+    std::vector<std::string> names;
+    for (unsigned int d = 0; d < dim; ++d)
+      names.push_back("point " + name + " " + axis[d] + " [m]");
+    names.push_back("point " + name + " radius ratio [-]");
+    return names;
+  }
+
+  template <int dim>
+  TrackedPoints<dim>::TrackedPoints(
+    const std::vector<TrackedPointParameters<dim>> &parameters)
+    : tracks(parameters)
+  {}
+
+  template <int dim>
+  void
+  TrackedPoints<dim>::choose(const StepView<dim> &view)
+  {
+    const MPI_Comm communicator = view.points.communicator;
+    for (const auto &track : tracks)
+      {
+        double        nearest = std::numeric_limits<double>::max();
+        std::uint64_t id      = std::numeric_limits<std::uint64_t>::max();
+        for (std::size_t i = 0; i < view.points.size(); ++i)
+          {
+            const double distance =
+              view.points.position(i).distance_square(track.position);
+            if (distance < nearest ||
+                (distance == nearest && view.points.ids()[i] < id))
+              {
+                nearest = distance;
+                id      = view.points.ids()[i];
+              }
+          }
+        if (nearest > Utilities::MPI::min(nearest, communicator))
+          id = std::numeric_limits<std::uint64_t>::max();
+        ids.push_back(Utilities::MPI::min(id, communicator));
+      }
+    last_index.assign(tracks.size(), 0);
+    start_radius.assign(tracks.size(), 0.);
+  }
+
+  template <int dim>
+  void
+  TrackedPoints<dim>::execute(const StepView<dim> &view,
+                              StatisticsTable     &statistics)
+  {
+    const bool first = ids.empty();
+    if (first)
+      choose(view);
+
+    // position and one for "found", of each track
+    const std::vector<std::uint64_t> &all = view.points.ids();
+    std::vector<double>               found(tracks.size() * (dim + 1), 0.);
+    for (unsigned int t = 0; t < tracks.size(); ++t)
+      {
+        std::size_t &i = last_index[t];
+        if (i >= all.size() || all[i] != ids[t])
+          i = std::find(all.begin(), all.end(), ids[t]) - all.begin();
+        if (i == all.size())
+          continue;
+        for (unsigned int d = 0; d < dim; ++d)
+          found[t * (dim + 1) + d] = view.points.position(i)[d];
+        found[t * (dim + 1) + dim] = 1.;
+      }
+    Utilities::MPI::sum(ArrayView<const double>(found.data(), found.size()),
+                        view.points.communicator,
+                        ArrayView<double>(found.data(), found.size()));
+
+    for (unsigned int t = 0; t < tracks.size(); ++t)
+      {
+        const bool exists = found[t * (dim + 1) + dim] > 0.5;
+        Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = found[t * (dim + 1) + d];
+        const double radius = x.distance(tracks[t].centre);
+        if (first)
+          start_radius[t] = radius;
+        const auto columns = tracks[t].columns();
+        for (unsigned int d = 0; d < dim; ++d)
+          statistics.set(columns[d], exists ? x[d] : missing);
+        statistics.set(columns[dim],
+                       exists && start_radius[t] > 0. ?
+                         radius / start_radius[t] :
+                         missing);
+      }
+  }
+
+  template struct TrackedPointParameters<2>;
+  template struct TrackedPointParameters<3>;
+  template class TrackedPoints<2>;
+  template class TrackedPoints<3>;
+} // namespace seiche

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/parameters/nearest_name.h>
+#include <seiche/postprocess/wall_forces.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr std::array<const char *, 3> axis = {{"x", "y", "z"}};
+
+    template <int dim>
+    constexpr unsigned int n_rotations = (dim == 2 ? 1 : 3);
+
+    template <int dim>
+    std::vector<std::string>
+    wall_names(const BackgroundGrid<dim> &grid)
+    {
+      std::vector<std::string> names;
+      for (unsigned int id = 0; id < grid.n_walls(); ++id)
+        names.push_back(grid.wall_name(id));
+      return names;
+    }
+
+    /// r x F: the component along z in 2D.
+    template <int dim>
+    std::array<double, n_rotations<dim>>
+    moment(const Tensor<1, dim> &arm, const Tensor<1, dim> &force)
+    {
+      if constexpr (dim == 2)
+        return {{arm[0] * force[1] - arm[1] * force[0]}};
+      else
+        return {{arm[1] * force[2] - arm[2] * force[1],
+                 arm[2] * force[0] - arm[0] * force[2],
+                 arm[0] * force[1] - arm[1] * force[0]}};
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  ForceParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Walls",
+                      walls,
+                      "Sides of the domain (left, right, " +
+                        std::string(dim == 3 ? "front, back, " : "") +
+                        "bottom, top) and names of obstacles whose forces "
+                        "are added.",
+                      Patterns::List(Patterns::Anything(), 1),
+                      /*has_to_be_set=*/true);
+    prm.add_parameter("Reference point",
+                      reference_point,
+                      "Point about which the moment is taken. [m]");
+  }
+
+  template <int dim>
+  void
+  ForceParameters<dim>::check(const InputFile           &input,
+                              const BackgroundGrid<dim> &grid) const
+  {
+    const std::vector<std::string> known = wall_names(grid);
+    const std::string path = std::string(kind) + " " + name + "/Walls";
+    for (auto wall = walls.begin(); wall != walls.end(); ++wall)
+      {
+        const std::string hint = nearest_hint(*wall, known);
+        input.require(std::find(known.begin(), known.end(), *wall) !=
+                        known.end(),
+                      path,
+                      "there is no wall \"" + *wall + "\"" +
+                        (hint.empty() ? "." : hint) + " Walls are " +
+                        quoted_list(known) + ".");
+        input.require(std::find(walls.begin(), wall, *wall) == wall,
+                      path,
+                      "the wall \"" + *wall +
+                        "\" is named twice; name it once.");
+      }
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  ForceParameters<dim>::columns() const
+  {
+    std::vector<std::string> names;
+    for (unsigned int d = 0; d < dim; ++d)
+      names.push_back("force " + name + " " + axis[d] + " [N]");
+    for (unsigned int d = 3 - n_rotations<dim>; d < 3; ++d)
+      names.push_back("moment " + name + " " + axis[d] + " [N m]");
+    return names;
+  }
+
+  template <int dim>
+  WallForces<dim>::WallForces(
+    const std::vector<ForceParameters<dim>> &parameters,
+    const BackgroundGrid<dim>               &background_grid)
+    : forces(parameters)
+    , grid(background_grid)
+  {}
+
+  template <int dim>
+  void
+  WallForces<dim>::collect_shares(const Occupancy<dim> &occupancy)
+  {
+    // boundary id -> forces that count it
+    const std::vector<std::string>         names = wall_names(grid);
+    std::vector<std::vector<unsigned int>> forces_of_wall(names.size());
+    for (unsigned int f = 0; f < forces.size(); ++f)
+      for (const std::string &wall : forces[f].walls)
+        forces_of_wall[std::find(names.begin(), names.end(), wall) -
+                       names.begin()]
+          .push_back(f);
+
+    shares.clear();
+    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          if (!((occupancy.fixed_components(node) >> c) & 1u))
+            continue;
+          std::vector<unsigned int> fixing;
+          for (unsigned int id = 0; id < names.size(); ++id)
+            if (occupancy.fixed_by(node, id, c))
+              fixing.push_back(id);
+          for (const unsigned int id : fixing)
+            for (const unsigned int f : forces_of_wall[id])
+              shares.push_back({f, node, c, 1. / fixing.size()});
+        }
+    generation = occupancy.generation();
+  }
+
+  template <int dim>
+  void
+  WallForces<dim>::execute(const StepView<dim> &view,
+                           StatisticsTable     &statistics)
+  {
+    if (generation != view.occupancy.generation())
+      collect_shares(view.occupancy);
+
+    constexpr unsigned int n = dim + n_rotations<dim>;
+    std::vector<double>    sums(n * forces.size(), 0.);
+    for (const Share &share : shares)
+      {
+        // the reaction acts on the fluid, its opposite on the wall
+        Tensor<1, dim> force;
+        force[share.component] =
+          -share.part *
+          view.state.reaction.local_element(dim * share.node + share.component);
+        Tensor<1, dim> arm = view.occupancy.node_position(share.node) -
+                             forces[share.force].reference_point;
+        for (unsigned int d = 0; d < dim; ++d)
+          arm[d] += view.theta * view.state.displacement().local_element(
+                                   dim * share.node + d);
+        double *sum = &sums[n * share.force];
+        sum[share.component] += force[share.component];
+        const auto turn = moment(arm, force);
+        for (unsigned int r = 0; r < turn.size(); ++r)
+          sum[dim + r] += turn[r];
+      }
+    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
+                        view.points.communicator,
+                        ArrayView<double>(sums.data(), sums.size()));
+
+    auto sum = sums.begin();
+    for (const auto &force : forces)
+      for (const std::string &column : force.columns())
+        statistics.set(column, *sum++);
+  }
+
+  template struct ForceParameters<2>;
+  template struct ForceParameters<3>;
+  template class WallForces<2>;
+  template class WallForces<3>;
+} // namespace seiche

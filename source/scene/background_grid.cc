@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/scene/background_grid.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/table.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seiche
+{
+  namespace
+  {
+    /// Make @p place a grid line: split the segment that holds it.
+    void
+    insert_line(std::vector<GridSegment> &segments, const double place)
+    {
+      for (auto segment = segments.begin(); segment != segments.end(); ++segment)
+        {
+          const double size = (segment->end - segment->begin) / segment->cells;
+          if (place <= segment->begin + 1e-9 * size)
+            return; // the line between two segments, or the domain's side
+          if (place >= segment->end - 1e-9 * size)
+            continue;
+          GridSegment  upper  = *segment;
+          const double offset = (place - segment->begin) / size;
+          unsigned int cells_below =
+            static_cast<unsigned int>(std::lround(offset));
+          cells_below = std::max(cells_below, 1u);
+          if (segment->cells > 1)
+            cells_below = std::min(cells_below, segment->cells - 1);
+          upper.begin    = place;
+          upper.cells    = std::max(segment->cells - cells_below, 1u);
+          segment->end   = place;
+          segment->cells = cells_below;
+          segments.insert(segment + 1, upper);
+          return;
+        }
+    }
+
+
+
+    /// How often two divides all counts.
+    template <int dim>
+    unsigned int
+    common_power_of_two(
+      const std::array<std::vector<GridSegment>, dim> &lattice)
+    {
+      unsigned int all = 0;
+      for (const auto &segments : lattice)
+        for (const GridSegment &segment : segments)
+          all |= segment.cells;
+      unsigned int power = 0;
+      while ((all & 1u) == 0)
+        {
+          all >>= 1;
+          ++power;
+        }
+      return power;
+    }
+
+
+
+    /// Index of the cell above the line at @p place.
+    unsigned int
+    index_of_line(const std::vector<GridSegment> &segments, const double place)
+    {
+      for (const GridSegment &segment : segments)
+        {
+          const double size = (segment.end - segment.begin) / segment.cells;
+          if (place < segment.end - 0.5 * size)
+            {
+              const double offset = (place - segment.begin) / size;
+              return segment.first +
+                     static_cast<unsigned int>(std::lround(std::max(offset, 0.)));
+            }
+        }
+      return segments.back().first + segments.back().cells;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<GridSegment>
+  make_segments(const GridParameters<dim> &parameters,
+                const unsigned int         direction)
+  {
+    std::vector<double> places = parameters.break_points[direction];
+    places.insert(places.begin(), parameters.lower_corner[direction]);
+    places.push_back(parameters.upper_corner[direction]);
+
+    std::vector<GridSegment> segments;
+    for (unsigned int i = 0; i + 1 < places.size(); ++i)
+      {
+        const double       length = places[i + 1] - places[i];
+        const unsigned int cells =
+          parameters.cells[direction].empty() ?
+            std::max(1L, std::lround(length / parameters.cell_size)) :
+            parameters.cells[direction][i];
+        segments.push_back({places[i], places[i + 1], 0, cells});
+      }
+    for (const auto &obstacle : parameters.obstacles)
+      {
+        insert_line(segments, obstacle.lower_corner[direction]);
+        insert_line(segments, obstacle.upper_corner[direction]);
+      }
+    unsigned int first = 0;
+    for (GridSegment &segment : segments)
+      {
+        segment.first = first;
+        first += segment.cells;
+      }
+    return segments;
+  }
+
+
+
+  template <int dim>
+  BackgroundGrid<dim>::BackgroundGrid(const GridParameters<dim> &grid_parameters,
+                                      MPI_Comm                   communicator)
+    : parameters(grid_parameters)
+    , triangulation(communicator)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      lattice[d] = make_segments(parameters, d);
+    n_refinements = common_power_of_two<dim>(lattice);
+    for (const auto &obstacle : parameters.obstacles)
+      {
+        LatticeBox box;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            box.first[d] =
+              index_of_line(lattice[d], obstacle.lower_corner[d]);
+            box.second[d] =
+              index_of_line(lattice[d], obstacle.upper_corner[d]);
+          }
+        obstacle_boxes.push_back(box);
+      }
+    make_coarse_cells();
+    set_boundary_ids();
+    triangulation.refine_global(n_refinements);
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::make_coarse_cells()
+  {
+    std::vector<std::vector<double>>  spacings(dim);
+    dealii::TableIndices<dim>         sizes;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        for (const Segment &segment : lattice[d])
+          {
+            const unsigned int n = segment.cells >> n_refinements;
+            spacings[d].insert(spacings[d].end(),
+                               n,
+                               (segment.end - segment.begin) / n);
+          }
+        sizes[d] = spacings[d].size();
+      }
+
+    dealii::Table<dim, dealii::types::material_id> material_ids;
+    material_ids.reinit(sizes);
+    material_ids.fill(dealii::types::material_id(0));
+    for (const LatticeBox &box : obstacle_boxes)
+      {
+        std::array<unsigned int, 3> begin = {{0, 0, 0}}, end = {{1, 1, 1}};
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            begin[d] = box.first[d] >> n_refinements;
+            end[d]   = box.second[d] >> n_refinements;
+          }
+        dealii::TableIndices<dim> index;
+        for (unsigned int k = begin[2]; k < end[2]; ++k)
+          for (unsigned int j = begin[1]; j < end[1]; ++j)
+            for (unsigned int i = begin[0]; i < end[0]; ++i)
+              {
+                const std::array<unsigned int, 3> ijk = {{i, j, k}};
+                for (unsigned int d = 0; d < dim; ++d)
+                  index[d] = ijk[d];
+                material_ids(index) = dealii::numbers::invalid_material_id;
+              }
+      }
+    dealii::GridGenerator::subdivided_hyper_rectangle(triangulation,
+                                                      spacings,
+                                                      parameters.lower_corner,
+                                                      material_ids);
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::set_boundary_ids()
+  {
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      for (const unsigned int face : cell->face_indices())
+        {
+          if (!cell->at_boundary(face))
+            continue;
+          const unsigned int       direction = face / 2;
+          const dealii::Point<dim> centre    = cell->face(face)->center();
+          const double             tolerance =
+            1e-6 * cell->extent_in_direction(direction);
+          const double side = face % 2 == 0 ?
+                                parameters.lower_corner[direction] :
+                                parameters.upper_corner[direction];
+          dealii::types::boundary_id id = face;
+          if (std::abs(centre[direction] - side) > tolerance)
+            {
+              // across the face there must be an obstacle
+              dealii::Point<dim> beyond = centre;
+              beyond[direction] += (face % 2 == 0 ? -tolerance : tolerance);
+              unsigned int i = 0;
+              while (i < parameters.obstacles.size() &&
+                     !dealii::BoundingBox<dim>(
+                        {parameters.obstacles[i].lower_corner,
+                         parameters.obstacles[i].upper_corner})
+                        .point_inside(beyond, /*tolerance=*/0.))
+                ++i;
+              Assert(i < parameters.obstacles.size(),
+                     dealii::ExcInternalError());
+              id = 2 * dim + i;
+            }
+          cell->face(face)->set_all_boundary_ids(id);
+        }
+  }
+
+
+
+  template <int dim>
+  const std::vector<GridSegment> &
+  BackgroundGrid<dim>::segments(const unsigned int direction) const
+  {
+    return lattice[direction];
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  BackgroundGrid<dim>::n_lattice_cells(const unsigned int direction) const
+  {
+    return lattice[direction].back().first + lattice[direction].back().cells;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  BackgroundGrid<dim>::lattice_level() const
+  {
+    return n_refinements;
+  }
+
+
+
+  template <int dim>
+  const typename BackgroundGrid<dim>::LatticeBox &
+  BackgroundGrid<dim>::obstacle_box(const unsigned int index) const
+  {
+    return obstacle_boxes[index];
+  }
+
+
+
+  template <int dim>
+  std::string
+  BackgroundGrid<dim>::wall_name(const dealii::types::boundary_id id) const
+  {
+    AssertIndexRange(id, n_walls());
+    const std::array<const char *, 4> names_2d = {
+      {"left", "right", "bottom", "top"}};
+    const std::array<const char *, 6> names_3d = {
+      {"left", "right", "front", "back", "bottom", "top"}};
+    if (id >= 2 * dim)
+      return parameters.obstacles[id - 2 * dim].name;
+    return dim == 2 ? names_2d[id] : names_3d[id];
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  BackgroundGrid<dim>::n_walls() const
+  {
+    return 2 * dim + parameters.obstacles.size();
+  }
+
+
+
+  template <int dim>
+  WallCondition
+  BackgroundGrid<dim>::wall_condition(const dealii::types::boundary_id id) const
+  {
+    AssertIndexRange(id, n_walls());
+    return id < 2 * dim ? parameters.walls[id] :
+                          parameters.obstacles[id - 2 * dim].condition;
+  }
+
+
+
+  template std::vector<GridSegment>
+  make_segments<2>(const GridParameters<2> &, const unsigned int);
+  template std::vector<GridSegment>
+  make_segments<3>(const GridParameters<3> &, const unsigned int);
+  template class BackgroundGrid<2>;
+  template class BackgroundGrid<3>;
+} // namespace seiche

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/scene/body_force.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/parameter_handler.h>
+
+namespace seiche
+{
+  namespace
+  {
+    const char *const acceleration_path = "Body force/Acceleration";
+  }
+
+
+
+  template <int dim>
+  void
+  BodyForceParameters<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Body force");
+    prm.add_parameter("Acceleration",
+                      acceleration,
+                      "Acceleration of the fluid by gravity or by the motion "
+                      "of the tank: one expression of x, y[, z], t per "
+                      "direction, separated by \";\", as in 0; -9.81. "
+                      "[m/s^2]");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  BodyForceParameters<dim>::check(const InputFile &input) const
+  {
+    const Expression<dim> expression(input,
+                                     acceleration_path,
+                                     acceleration,
+                                     dim);
+    (void)expression;
+  }
+
+
+
+  template <int dim>
+  BodyForce<dim>::BodyForce(const BodyForceParameters<dim> &parameters,
+                            const InputFile                &input)
+    : acceleration(input, acceleration_path, parameters.acceleration, dim)
+  {
+    if (acceleration.is_constant())
+      constant = acceleration.vector_value(dealii::Point<dim>(), /*t=*/0.);
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  BodyForce<dim>::value(const dealii::Point<dim> &x, const double t) const
+  {
+    return acceleration.is_constant() ? constant :
+                                        acceleration.vector_value(x, t);
+  }
+
+
+
+  template <int dim>
+  bool
+  BodyForce<dim>::is_constant() const
+  {
+    return acceleration.is_constant();
+  }
+
+
+
+  template <int dim>
+  bool
+  BodyForce<dim>::is_zero() const
+  {
+    return acceleration.is_zero();
+  }
+
+
+
+  template <int dim>
+  const dealii::Tensor<1, dim> &
+  BodyForce<dim>::constant_value() const
+  {
+    Assert(acceleration.is_constant(),
+           dealii::ExcMessage("The body force depends on place or time."));
+    return constant;
+  }
+
+
+
+  template struct BodyForceParameters<2>;
+  template struct BodyForceParameters<3>;
+  template class BodyForce<2>;
+  template class BodyForce<3>;
+} // namespace seiche

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/scene/entry_values.h>
+#include <seiche/scene/expression.h>
+#include <seiche/scene/region.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace seiche
+{
+  namespace
+  {
+    template <int dim>
+    using Box = dealii::BoundingBox<dim>;
+
+
+
+    template <int dim>
+    class BoxRegion : public Region<dim>
+    {
+    public:
+      explicit BoxRegion(const Box<dim> &extent)
+        : box(extent)
+      {}
+
+      bool
+      contains(const dealii::Point<dim> &x) const override
+      {
+        return box.point_inside(x, /*tolerance=*/0.);
+      }
+
+      Box<dim>
+      bounding_box() const override
+      {
+        return box;
+      }
+
+      Box<dim>
+      lattice_box(const Box<dim> &cell) const override
+      {
+        auto corners = cell.get_boundary_points();
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            corners.first[d]  = std::max(corners.first[d], box.lower_bound(d));
+            corners.second[d] = std::min(corners.second[d], box.upper_bound(d));
+            corners.second[d] = std::max(corners.second[d], corners.first[d]);
+          }
+        return Box<dim>(corners);
+      }
+
+    private:
+      const Box<dim> box;
+    };
+
+
+
+    template <int dim>
+    class EllipsoidRegion : public Region<dim>
+    {
+    public:
+      EllipsoidRegion(const dealii::Point<dim>     &middle,
+                      const dealii::Tensor<1, dim> &half_lengths)
+        : centre(middle)
+        , semi_axes(half_lengths)
+      {}
+
+      bool
+      contains(const dealii::Point<dim> &x) const override
+      {
+        double sum = 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          sum += (x[d] - centre[d]) * (x[d] - centre[d]) /
+                 (semi_axes[d] * semi_axes[d]);
+        return sum <= 1.;
+      }
+
+      Box<dim>
+      bounding_box() const override
+      {
+        return Box<dim>({centre - semi_axes, centre + semi_axes});
+      }
+
+    private:
+      const dealii::Point<dim>     centre;
+      const dealii::Tensor<1, dim> semi_axes;
+    };
+
+
+
+    class PolygonRegion : public Region<2>
+    {
+    public:
+      using Vertex  = boost::geometry::model::d2::point_xy<double>;
+      using Polygon = boost::geometry::model::polygon<Vertex>;
+
+      explicit PolygonRegion(const Polygon &outline)
+        : polygon(outline)
+      {}
+
+      bool
+      contains(const dealii::Point<2> &x) const override
+      {
+        return boost::geometry::covered_by(Vertex(x[0], x[1]), polygon);
+      }
+
+      Box<2>
+      bounding_box() const override
+      {
+        boost::geometry::model::box<Vertex> box;
+        boost::geometry::envelope(polygon, box);
+        return Box<2>(
+          {dealii::Point<2>(box.min_corner().x(), box.min_corner().y()),
+           dealii::Point<2>(box.max_corner().x(), box.max_corner().y())});
+      }
+
+    private:
+      const Polygon polygon;
+    };
+
+
+
+    template <int dim>
+    class ExpressionRegion : public Region<dim>
+    {
+    public:
+      ExpressionRegion(Expression<dim> &&function, const Box<dim> &whole)
+        : level(std::move(function))
+        , domain(whole)
+      {}
+
+      bool
+      contains(const dealii::Point<dim> &x) const override
+      {
+        return level.value(x, /*t=*/0.) < 0.;
+      }
+
+      Box<dim>
+      bounding_box() const override
+      {
+        return domain;
+      }
+
+    private:
+      const Expression<dim> level;
+      const Box<dim>        domain;
+    };
+
+
+
+    /// Twice the signed area of the triangle a, b, c.
+    double
+    signed_area(const PolygonRegion::Vertex &a,
+                const PolygonRegion::Vertex &b,
+                const PolygonRegion::Vertex &c)
+    {
+      return (b.x() - a.x()) * (c.y() - a.y()) -
+             (b.y() - a.y()) * (c.x() - a.x());
+    }
+
+
+
+    /// True if two edges of the closed ring cross in their interiors.
+    bool
+    crosses_itself(const std::vector<PolygonRegion::Vertex> &ring)
+    {
+      for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+        for (std::size_t j = i + 2; j + 1 < ring.size(); ++j)
+          if (signed_area(ring[i], ring[i + 1], ring[j]) *
+                  signed_area(ring[i], ring[i + 1], ring[j + 1]) <
+                0. &&
+              signed_area(ring[j], ring[j + 1], ring[i]) *
+                  signed_area(ring[j], ring[j + 1], ring[i + 1]) <
+                0.)
+            return true;
+      return false;
+    }
+
+
+
+    /// Vertices "x y, x y, ..." as a closed polygon of either orientation.
+    PolygonRegion::Polygon
+    read_polygon(const InputFile   &input,
+                 const std::string &path,
+                 const std::string &text)
+    {
+      const std::vector<double> numbers =
+        entry_values::numbers(input, path, text);
+      input.require(numbers.size() >= 6 && numbers.size() % 2 == 0,
+                    path,
+                    fmt::format("{} numbers given; at least three vertices "
+                                "\"x y, x y, ...\" are needed.",
+                                numbers.size()));
+      PolygonRegion::Polygon polygon;
+      for (std::size_t i = 0; i < numbers.size(); i += 2)
+        polygon.outer().emplace_back(numbers[i], numbers[i + 1]);
+      boost::geometry::correct(polygon); // orientation and closing vertex
+      input.require(boost::geometry::area(polygon) > 0.,
+                    path,
+                    "the polygon has no area.");
+      input.require(!crosses_itself(polygon.outer()),
+                    path,
+                    "the edges cross each other; give the vertices in order.");
+      return polygon;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Box<dim>
+  Region<dim>::lattice_box(const Box<dim> &cell) const
+  {
+    return cell;
+  }
+
+
+
+  template <int dim>
+  void
+  FluidBodyParameters<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Fluid body " + name);
+    prm.add_parameter("Shape",
+                      shape,
+                      "Shape of the body; each uses its own entries below.",
+                      dealii::Patterns::Selection(
+                        dim == 2 ? "box|ball|ellipsoid|polygon|expression" :
+                                   "box|ball|ellipsoid|expression"));
+    prm.add_parameter("Lower corner", lower_text, "Of a box. [m]");
+    prm.add_parameter("Upper corner", upper_text, "Of a box. [m]");
+    prm.add_parameter("Centre", centre_text, "Of a ball or ellipsoid. [m]");
+    prm.add_parameter("Radius", radius_text, "Of a ball. [m]");
+    prm.add_parameter("Semi-axes",
+                      semi_axes_text,
+                      "Of an ellipsoid, one per direction. [m]");
+    if (dim == 2)
+      prm.add_parameter("Vertices",
+                        vertices_text,
+                        "Of a polygon, in order: x y, x y, ... [m]");
+    prm.add_parameter("Expression",
+                      expression_text,
+                      "The fluid is where this function of x, y[, z] is "
+                      "negative.");
+    prm.add_parameter("Velocity",
+                      velocity,
+                      "Velocity at the start: one expression of x, y[, z] "
+                      "per direction, separated by \";\". [m/s]");
+    prm.leave_subsection();
+  }
+
+
+
+  namespace
+  {
+    template <int dim>
+    std::unique_ptr<Region<dim>>
+    make_box(const InputFile                &input,
+             const FluidBodyParameters<dim> &body)
+    {
+      const auto lower = entry_values::point<dim>(input,
+                                                  body.path("Lower corner"),
+                                                  body.lower_text);
+      const auto upper = entry_values::point<dim>(input,
+                                                  body.path("Upper corner"),
+                                                  body.upper_text);
+      for (unsigned int d = 0; d < dim; ++d)
+        input.require(lower[d] < upper[d],
+                      body.path("Upper corner"),
+                      "must be greater than \"Lower corner\" in every "
+                      "direction.");
+      return std::make_unique<BoxRegion<dim>>(Box<dim>({lower, upper}));
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<Region<dim>>
+    make_ellipsoid(const InputFile                &input,
+                   const FluidBodyParameters<dim> &body)
+    {
+      const auto centre =
+        entry_values::point<dim>(input, body.path("Centre"), body.centre_text);
+      const bool             ball = body.shape == "ball";
+      const std::string      path = body.path(ball ? "Radius" : "Semi-axes");
+      dealii::Tensor<1, dim> semi_axes;
+      if (ball)
+        {
+          const double radius =
+            entry_values::number(input, path, body.radius_text);
+          for (unsigned int d = 0; d < dim; ++d)
+            semi_axes[d] = radius;
+        }
+      else
+        semi_axes = entry_values::point<dim>(input, path, body.semi_axes_text);
+      for (unsigned int d = 0; d < dim; ++d)
+        input.require(semi_axes[d] > 0., path, "must be greater than zero.");
+      return std::make_unique<EllipsoidRegion<dim>>(centre, semi_axes);
+    }
+
+
+
+    /// InputError unless the body lies in the domain.
+    template <int dim>
+    void
+    require_inside(const InputFile                &input,
+                   const FluidBodyParameters<dim> &body,
+                   const Box<dim>                 &box,
+                   const Box<dim>                 &domain)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double tolerance = 1e-10 * domain.side_length(d);
+          const std::string size =
+            body.shape == "box" ?
+              (box.lower_bound(d) < domain.lower_bound(d) - tolerance ?
+                 "Lower corner" :
+                 "Upper corner") :
+              (body.shape == "polygon" ? "Vertices" : "Centre");
+          input.require(
+            box.lower_bound(d) >= domain.lower_bound(d) - tolerance &&
+              box.upper_bound(d) <= domain.upper_bound(d) + tolerance,
+            body.path(size),
+            fmt::format("the body reaches from {:g} to {:g} m in direction "
+                        "{}, outside the domain from {:g} to {:g} m; move it "
+                        "or enlarge \"Grid\".",
+                        box.lower_bound(d),
+                        box.upper_bound(d),
+                        "xyz"[d],
+                        domain.lower_bound(d),
+                        domain.upper_bound(d)));
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<Region<dim>>
+  FluidBodyParameters<dim>::make_region(const InputFile &input,
+                                        const Box<dim>  &domain) const
+  {
+    std::unique_ptr<Region<dim>> region;
+    if (shape == "box")
+      region = make_box(input, *this);
+    else if (shape == "ball" || shape == "ellipsoid")
+      region = make_ellipsoid(input, *this);
+    else if (shape == "expression")
+      region = std::make_unique<ExpressionRegion<dim>>(
+        Expression<dim>(input,
+                        path("Expression"),
+                        expression_text,
+                        /*n_components=*/1,
+                        domain.get_boundary_points().first),
+        domain);
+    else if constexpr (dim == 2)
+      region = std::make_unique<PolygonRegion>(
+        read_polygon(input, path("Vertices"), vertices_text));
+    Assert(region != nullptr, dealii::ExcInternalError());
+    require_inside(input, *this, region->bounding_box(), domain);
+    return region;
+  }
+
+
+
+  template class Region<2>;
+  template class Region<3>;
+  template struct FluidBodyParameters<2>;
+  template struct FluidBodyParameters<3>;
+} // namespace seiche

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/run_report.h>
+#include <seiche/simulation/summary_file.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <iostream>
+
+namespace seiche
+{
+  namespace
+  {
+    double
+    wall_clock()
+    {
+      return std::chrono::duration<double>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+    }
+
+    /// "2.1 h", "3.5 min" or "25 s".
+    std::string
+    duration(const double seconds)
+    {
+      if (seconds >= 5400.)
+        return fmt::format("{:.1f} h", seconds / 3600.);
+      if (seconds >= 90.)
+        return fmt::format("{:.1f} min", seconds / 60.);
+      return fmt::format("{:.0f} s", seconds);
+    }
+
+    std::string
+    clock_time(const double seconds_from_now)
+    {
+      const std::time_t end =
+        std::time(nullptr) + static_cast<std::time_t>(seconds_from_now);
+      std::tm local{};
+      localtime_r(&end, &local);
+      return fmt::format("{:02}:{:02}", local.tm_hour, local.tm_min);
+    }
+
+    std::size_t
+    terminal_width()
+    {
+      winsize size{};
+      return (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1) ?
+               size.ws_col - 1 :
+               200;
+    }
+
+    /// Counts differ a little between machines: "1-5", "6-10", ...
+    std::string
+    count_range(const double count)
+    {
+      if (count <= 0.)
+        return "0";
+      const unsigned int lower =
+        5 * static_cast<unsigned int>((std::ceil(count) - 1.) / 5.);
+      return fmt::format("{}-{}", lower + 1, lower + 5);
+    }
+
+    /// Six digits; what is only rounding error is zero.
+    std::string
+    rounded(const double value)
+    {
+      return std::abs(value) < 1e-9 ? "0" : fmt::format("{:.6g}", value);
+    }
+
+    std::string
+    rounded(const nlohmann::ordered_json &value)
+    {
+      if (value.is_number_float())
+        return rounded(value.get<double>());
+      if (!value.is_array())
+        return value.dump();
+      std::string text;
+      for (const auto &entry : value)
+        text += (text.empty() ? "" : " ") + rounded(entry);
+      return text;
+    }
+
+    constexpr unsigned int warnings_kept = 100;
+  } // namespace
+
+
+
+  RunReport::RunReport(const Options &run_options,
+                       const MPI_Comm mpi_communicator)
+    : options(run_options)
+    , communicator(mpi_communicator)
+    , speaks(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    , on_terminal(isatty(STDOUT_FILENO) == 1)
+    , rate_wall(wall_clock())
+  {}
+
+
+
+  void
+  RunReport::open_files()
+  {
+    if (!options.directory.empty())
+      {
+        log.open(options.directory + "/run.log");
+        log.append(early_log);
+      }
+    if (options.test_mode)
+      test_output.open("output");
+  }
+
+
+
+  void
+  RunReport::header(const std::string &text)
+  {
+    if (!speaks)
+      return;
+    const std::string end = (!text.empty() && text.back() == '\n') ? "" : "\n";
+    if (!options.test_mode)
+      std::cout << text << end << std::flush;
+    write_log(text + end);
+  }
+
+
+
+  void
+  RunReport::progress(const double       time,
+                      const double       dt,
+                      const unsigned int newton,
+                      const unsigned int krylov,
+                      const double       energy)
+  {
+    if (!speaks)
+      return;
+    const double now   = wall_clock();
+    const double share = std::min(1., time / options.end_time);
+
+    // simulated seconds per wall second, averaged over some 20 steps
+    const double new_rate =
+      (time - rate_time) / std::max(now - rate_wall, 1e-9);
+    rate      = (rate == 0. ? new_rate : rate + 0.05 * (new_rate - rate));
+    rate_wall = now;
+    rate_time = time;
+
+    const std::string line =
+      fmt::format("{:3.0f} % | t {:.4g} of {:.4g} s | dt {:.1e} | "
+                  "Newton {}, Krylov {} | energy {:.4f}",
+                  std::floor(100. * share + 1e-9),
+                  time,
+                  options.end_time,
+                  dt,
+                  newton,
+                  krylov,
+                  energy);
+    write_log(line + "\n");
+
+    // one line per tenth in a test, per twentieth in a file
+    const double parts = (options.test_mode ? 10. : 20.);
+    const bool   new_part =
+      std::floor(share * parts + 1e-6) > std::floor(last_share * parts + 1e-6);
+    last_share = share;
+    if (options.test_mode)
+      {
+        if (new_part)
+          test_line(fmt::format("t {} dt {} energy {} Newton {} Krylov {}",
+                                rounded(time),
+                                rounded(dt),
+                                rounded(energy),
+                                count_range(newton),
+                                count_range(krylov)));
+        return;
+      }
+    if (!(on_terminal ? (now - last_shown >= 1. || share >= 1.) : new_part))
+      return;
+    last_shown = now;
+
+    const double left = (options.end_time - time) / std::max(rate, 1e-300);
+    std::string  text = line;
+    if (left > 0. && left < 1e8)
+      text +=
+        fmt::format(" | {} left, ends {}", duration(left), clock_time(left));
+    if (!on_terminal)
+      {
+        std::cout << text << std::endl;
+        return;
+      }
+    text                    = text.substr(0, terminal_width());
+    const std::size_t width = text.size();
+    if (width < progress_width)
+      text.append(progress_width - width, ' ');
+    progress_width = width;
+    std::cout << '\r' << text << std::flush;
+  }
+
+
+
+  void
+  RunReport::warn(const std::string &text, const std::string &detail)
+  {
+    if (!speaks)
+      return;
+    const auto known =
+      std::find_if(warnings.begin(), warnings.end(), [&](const auto &warning) {
+        return warning.first == text;
+      });
+    if (known != warnings.end())
+      {
+        ++known->second;
+        return;
+      }
+    // a text that is new in every step must not fill memory and screen
+    if (warnings.size() == warnings_kept)
+      return;
+    warnings.emplace_back(text, 1);
+    print("warning: " + text + (detail.empty() ? "" : " (" + detail + ")"));
+  }
+
+
+
+  void
+  RunReport::fail(const std::string &text) noexcept
+  {
+    try
+      {
+        if (!speaks)
+          return;
+        end_progress_line();
+        write_log(text + "\n");
+      }
+    catch (...)
+      {
+        // the failure that is being reported matters more
+      }
+  }
+
+
+
+  void
+  RunReport::finish(const nlohmann::ordered_json &summary,
+                    const TimerTree              &timer)
+  {
+    const nlohmann::ordered_json complete =
+      complete_summary(summary, timer, communicator);
+    if (!speaks)
+      return;
+    end_progress_line();
+    if (options.test_mode)
+      test_summary(complete);
+    for (const auto &[text, count] : warnings)
+      if (count > 1)
+        print(fmt::format("warning: {} times: {}", count, text));
+
+    const std::string times = timer.report();
+    header("\n" + times);
+    if (!options.directory.empty())
+      {
+        checked_file::write(options.directory + "/timing.txt",
+                            [&](std::ostream &stream) { stream << times; });
+        checked_file::write(options.directory + "/summary.json",
+                            [&](std::ostream &stream) {
+                              stream << complete.dump(2) << '\n';
+                            });
+        header(fmt::format("finished: results are in {0}/; look at "
+                           "{0}/summary.json and {0}/statistics.csv",
+                           options.directory));
+      }
+    if (test_output.is_open())
+      test_output.close();
+    if (log.is_open())
+      log.close();
+  }
+
+
+
+  void
+  RunReport::print(const std::string &text)
+  {
+    end_progress_line();
+    header(text);
+  }
+
+
+
+  void
+  RunReport::end_progress_line()
+  {
+    if (progress_width > 0)
+      std::cout << std::endl;
+    progress_width = 0;
+  }
+
+
+
+  void
+  RunReport::write_log(const std::string &text)
+  {
+    if (log.is_open())
+      log.append(text);
+    else if (!options.directory.empty())
+      early_log += text;
+  }
+
+
+
+  void
+  RunReport::test_line(const std::string &text)
+  {
+    std::cout << text << std::endl;
+    if (test_output.is_open())
+      test_output.append(text + "\n");
+  }
+
+
+
+  void
+  RunReport::test_summary(const nlohmann::ordered_json &summary)
+  {
+    for (const char *key : {"dim",
+                            "points",
+                            "cells",
+                            "occupied_cells_max",
+                            "end_time",
+                            "steps",
+                            "rejected_steps"})
+      if (summary.contains(key))
+        test_line(fmt::format("{} {}", key, rounded(summary[key])));
+
+    const double steps = std::max(1., summary.value("steps", 1.));
+    for (const char *key : {"newton_iterations", "krylov_iterations"})
+      if (summary.contains(key) && summary[key].is_number())
+        test_line(fmt::format("{} per step {}",
+                              key,
+                              count_range(summary[key].get<double>() / steps)));
+
+    for (const char *part : {"ledger", "errors"})
+      if (summary.contains(part))
+        for (const auto &[name, value] : summary[part].items())
+          test_line(fmt::format("{} {} {}", part, name, rounded(value)));
+  }
+} // namespace seiche

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/scene.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  Scene<dim>::Scene(const InputFile &input_file)
+    : input(input_file)
+    , grid(input_file)
+    , postprocessors(input_file)
+  {
+    for (const std::string &name : input.instances("Fluid body"))
+      {
+        bodies.emplace_back();
+        bodies.back().name = name;
+      }
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::add_parameters(ParameterHandler &prm)
+  {
+    grid.add_parameters(prm);
+    body_force.add_parameters(prm);
+    fluid.add_parameters(prm);
+    for (auto &body : bodies)
+      body.add_parameters(prm);
+    seeding.add_parameters(prm);
+    formulation.add_parameters(prm);
+    quadrature.add_parameters(prm);
+    free_surface.add_parameters(prm);
+    prm.enter_subsection("Volume");
+    prm.add_parameter("Relaxation time",
+                      volume_relaxation_time,
+                      "Time in which volume errors of the points are removed; "
+                      "0: within each step, which costs pressure noise [s]",
+                      Patterns::Double(0.));
+    prm.leave_subsection();
+    time.add_parameters(prm);
+    time_scheme.add_parameters(prm);
+    transfer.add_parameters(prm);
+    newton.add_parameters(prm);
+    linear_solver.add_parameters(prm);
+    postprocessors.add_parameters(prm);
+    prm.enter_subsection("Output");
+    prm.add_parameter("Test log",
+                      test_log,
+                      "Print a compact log without times and machine data, "
+                      "also to a file 'output' in the current directory");
+    prm.leave_subsection();
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::check(const InputFile &input_file)
+  {
+    grid.check(input_file);
+    body_force.check(input_file);
+    fluid.check(input_file);
+    seeding.check(input_file);
+    time.check(input_file);
+    transfer.check(input_file);
+    if (bodies.empty())
+      throw InputError(input_file.filename +
+                       ": no fluid; add a subsection 'Fluid body NAME' with "
+                       "its Shape");
+    input_file.require(formulation.is_mixed() ||
+                         std::isfinite(fluid.bulk_modulus),
+                       "Fluid/Bulk modulus",
+                       "the irreducible form needs a finite one [Pa], about "
+                       "density * (10 * largest speed)^2; or set "
+                       "Formulation/Name = displacement-pressure");
+    input_file.require(!formulation.is_mixed() ||
+                         std::isinf(fluid.bulk_modulus) ||
+                         volume_relaxation_time == 0.,
+                       "Volume/Relaxation time",
+                       "a finite Bulk modulus needs the whole volume error: "
+                       "set it to 0, or Bulk modulus = infinite");
+    input_file.require(transfer_method(transfer.method).update !=
+                           VelocityUpdate::flip_acceleration ||
+                         time_scheme.scheme != "generalized midpoint",
+                       "Transfer/Method",
+                       "FLIP acceleration needs the acceleration on the points: "
+                       "set Time/Scheme to newmark or bossak, or another method");
+  }
+
+  template <int dim>
+  MaterialConstants
+  Scene<dim>::material() const
+  {
+    return {fluid.density,
+            fluid.bulk_modulus,
+            NewtonianLaw{fluid.dynamic_viscosity}};
+  }
+
+  template struct Scene<2>;
+  template struct Scene<3>;
+} // namespace seiche

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/simulation.h>
+#include <seiche/transfer/interpolate.h>
+#include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/version.h>
+
+#include <fmt/format.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  Simulation<dim>::Simulation(Scene<dim>        &run_scene,
+                              const std::string &output_directory,
+                              RunReport         &run_report)
+    : scene(run_scene)
+    , directory(output_directory)
+    , communicator(MPI_COMM_WORLD)
+    , report(run_report)
+    , grid(scene.grid, communicator)
+    , locator(grid)
+    , time_scheme(make_time_scheme<dim>(scene.time_scheme))
+    , formulation(make_formulation<dim>(scene.formulation, scene.material()))
+    , points(locator, point_columns(), communicator)
+    , seeding(seed_bodies(scene.seeding,
+                          scene.bodies,
+                          scene.input,
+                          scene.fluid.density,
+                          points))
+    , occupancy(locator, /*degree=*/1)
+    , fill(occupancy, scene.quadrature.gauss_in_full_cells())
+    , quadrature(make_quadrature(scene.quadrature,
+                                 points,
+                                 fill,
+                                 scene.fluid.density,
+                                 formulation->has_pressure() &&
+                                   std::isinf(scene.fluid.bulk_modulus)))
+    , body_force(scene.body_force, scene.input)
+    , transfer(scene.transfer, occupancy)
+    , matrix(occupancy, formulation->has_pressure())
+    , assembler(*formulation,
+                *quadrature,
+                fill,
+                body_force,
+                scene.free_surface)
+    , linear_solver(scene.linear_solver, scene.material())
+    , velocity_projection(assembler,
+                          matrix,
+                          linear_solver,
+                          scene.linear_solver.projection_tolerance)
+    , newton(scene.newton,
+             scene.linear_solver.tolerance,
+             assembler,
+             matrix,
+             linear_solver)
+    , time_stepper(scene.time)
+    , statistics(directory + "/statistics.csv")
+  {
+    scene.postprocessors.check(grid);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::run()
+  {
+    report.header(fmt::format(
+      "{}D, {} cells, {} points, {} rank{}\n",
+      dim,
+      grid.triangulation.n_global_active_cells(),
+      points.n_global(),
+      Utilities::MPI::n_mpi_processes(communicator),
+      Utilities::MPI::n_mpi_processes(communicator) == 1 ? "" : "s"));
+    scene.postprocessors.make(directory, grid, communicator);
+    find_material();
+    prepare_start();
+    postprocess();
+    while (!time_stepper.finished())
+      {
+        step();
+        postprocess();
+      }
+    finish();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::step()
+  {
+    const TimerTree::Scope scope(timer, "step");
+    if (time_stepper.steps() > 0)
+      find_material();
+    state.time = time_stepper.time();
+    state.dt   = time_stepper.next_step(speed_per_cell());
+    while (true)
+      {
+        const std::string failure = try_step();
+        if (failure.empty())
+          break;
+        report.warn("a step was repeated with half its size",
+                    fmt::format("t = {:.6g} s: {}", state.time, failure));
+        state.dt = time_stepper.repeat(failure);
+      }
+    {
+      const TimerTree::Scope scope_back(timer, "grid to points");
+      transfer.grid_to_points(state, points);
+      formulation->update_points(points);
+    }
+    time_stepper.accept();
+    newton_total += last.iterations;
+    krylov_total += last.krylov_iterations;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::find_material()
+  {
+    {
+      const TimerTree::Scope scope(timer, "locate");
+      points.locate();
+    }
+    {
+      const TimerTree::Scope scope(timer, "occupancy and fill");
+      occupancy.update(points);
+      fill.update(points);
+    }
+    {
+      const TimerTree::Scope scope(timer, "pattern");
+      matrix.reinit(fill);
+    }
+    const TimerTree::Scope scope(timer, "points to grid");
+    state.reinit(occupancy,
+                 formulation->has_pressure(),
+                 time_scheme->needs_acceleration());
+    inertia_offset.reinit(occupancy.vector_partitioner());
+    rate_offset.reinit(occupancy.vector_partitioner());
+    transfer.points_to_grid(points, state);
+    occupied_max = std::max(occupied_max, occupancy.n_global_occupied_cells());
+    unknowns_max = std::max<std::uint64_t>(
+      unknowns_max,
+      occupancy.n_global_nodes() * (dim + formulation->has_pressure()));
+  }
+
+  template <int dim>
+  std::string
+  Simulation<dim>::try_step()
+  {
+    last = NewtonResult();
+    if (formulation->has_pressure() &&
+        (scene.time.projects_each_step() || time_stepper.steps() == 0))
+      {
+        const TimerTree::Scope scope(timer, "velocity projection");
+        const LinearResult     result = velocity_projection.apply(state);
+        last.krylov_iterations += result.iterations;
+        if (!result.converged)
+          return "the velocity projection did not converge";
+      }
+    {
+      const TimerTree::Scope scope(timer, "newton");
+      time_scheme->predict(state);
+      time_scheme->offsets(state, state.dt, inertia_offset, rate_offset);
+      StepCoefficients coefficients = time_scheme->coefficients(state.dt);
+      if (scene.volume_relaxation_time > 0.)
+        coefficients.volume_recovery =
+          std::min(1., state.dt / scene.volume_relaxation_time);
+      assembler.begin(coefficients, state.time, inertia_offset, rate_offset);
+      const NewtonResult result = newton.solve(state);
+      last.iterations           = result.iterations;
+      last.krylov_iterations += result.krylov_iterations;
+      if (!result.converged)
+        return result.failure;
+    }
+    const TimerTree::Scope scope(timer, "acceptance");
+    time_scheme->finish(state);
+    return transfer.check(state, points)
+      .problem(scene.time.maximum_displacement);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::prepare_start()
+  {
+    if (!time_scheme->needs_acceleration())
+      return;
+    state.dt = scene.time.step;
+    if (formulation->has_pressure())
+      velocity_projection.apply(state);
+    velocity_projection.consistent_start(state);
+    interpolate_to_points(occupancy,
+                          state.acceleration_n,
+                          PointColumn::acceleration,
+                          points);
+    state.solution = 0.;
+    state.reaction = 0.;
+  }
+
+  template <int dim>
+  double
+  Simulation<dim>::speed_per_cell() const
+  {
+    double largest = 0.;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      for (unsigned int d = 0; d < dim; ++d)
+        largest = std::max(
+          largest,
+          std::abs(points.data(PointColumn::velocity, d)[p]) /
+            locator.extent(points.cells()[p])[d]);
+    return Utilities::MPI::max(largest, communicator);
+  }
+
+  template <int dim>
+  std::set<PointColumn>
+  Simulation<dim>::point_columns() const
+  {
+    auto columns = Transfer<dim>::columns(scene.transfer);
+    if (time_scheme->needs_acceleration())
+      columns.insert(PointColumn::acceleration);
+    return columns;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::postprocess()
+  {
+    const TimerTree::Scope scope(timer, "postprocess");
+    const unsigned int     step = time_stepper.steps();
+    const double           time = time_stepper.time();
+    const double           dt   = step == 0 ? 0. : state.dt;
+    StepView<dim>          view{
+               step,
+               time,
+               dt,
+               time - (1. - time_scheme->pressure_time()) * dt,
+               points,
+               occupancy,
+               fill,
+               state,
+               scene.fluid.density,
+               body_force.is_constant() ? body_force.constant_value() :
+                                 Tensor<1, dim>(),
+               scene.fluid.bulk_modulus,
+               step == 0 ? 0. : assembler.coefficients().theta,
+               seeding.half_spacing,
+               occupancy.smallest_extent(),
+               last.iterations,
+               last.krylov_iterations};
+    statistics.set("step", step);
+    statistics.set("time [s]", time);
+    statistics.set("dt [s]", dt);
+    statistics.set("pressure_time [s]", view.pressure_time);
+    statistics.set("newton_iterations", last.iterations);
+    statistics.set("krylov_iterations", last.krylov_iterations);
+    scene.postprocessors.execute(view, statistics);
+    statistics.end_row();
+    if (step > 0)
+      report.progress(time,
+                      dt,
+                      last.iterations,
+                      last.krylov_iterations,
+                      scene.postprocessors.relative_energy());
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::finish()
+  {
+    nlohmann::ordered_json summary;
+    summary["program_version"] = program_version;
+    summary["dim"]             = dim;
+    summary["ranks"]           = Utilities::MPI::n_mpi_processes(communicator);
+    summary["points"]          = points.n_global();
+    summary["cells"]           = grid.triangulation.n_global_active_cells();
+    summary["occupied_cells_max"] = occupied_max;
+    summary["dofs_max"]           = unknowns_max;
+    summary["end_time"]           = time_stepper.time();
+    summary["steps"]              = time_stepper.steps();
+    summary["rejected_steps"]     = time_stepper.rejected();
+    summary["newton_iterations"]  = newton_total;
+    summary["krylov_iterations"]  = krylov_total;
+    scene.postprocessors.finish(statistics, summary);
+    report.finish(summary, timer);
+  }
+
+  template class Simulation<2>;
+  template class Simulation<3>;
+} // namespace seiche

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/solve/direct_solver.h>
+#include <seiche/solve/linear_solver.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Systems with fewer unknowns (all ranks) are factorised. Measured, see
+    /// doc/theory.md; a function of the global size only, so that all rank
+    /// counts choose alike.
+    constexpr types::global_dof_index direct_below = 400;
+
+    /// The system with scaled pressure rows, as FGMRES wants it.
+    template <int dim>
+    struct ScaledOperator
+    {
+      const BlockMatrix<dim> &matrix;
+      const double            row_scale;
+
+      void
+      vmult(typename BlockMatrix<dim>::BlockVector       &dst,
+            const typename BlockMatrix<dim>::BlockVector &src) const
+      {
+        matrix.vmult(dst, src);
+        if (matrix.has_pressure())
+          dst.block(1) *= row_scale;
+      }
+    };
+  } // namespace
+
+  void
+  LinearSolverParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Solver");
+    prm.add_parameter("Linear solver",
+                      solver,
+                      "direct: sparse factorisation; iterative: flexible "
+                      "GMRES with AMG; automatic: by the number of unknowns",
+                      Patterns::Selection("automatic|direct|iterative"));
+    prm.add_parameter("Linear tolerance",
+                      tolerance,
+                      "Largest reduction of the residual asked of a linear "
+                      "solve; later Newton iterations ask for more [-]",
+                      Patterns::Double(1e-15, 0.9));
+    prm.add_parameter("Projection tolerance",
+                      projection_tolerance,
+                      "Reduction of the residual asked of the projection of "
+                      "the start velocity [-]",
+                      Patterns::Double(1e-15, 0.9));
+    prm.add_parameter("Linear maximum iterations",
+                      maximum_iterations,
+                      "Krylov iterations after which a solve has failed",
+                      Patterns::Integer(1));
+    prm.leave_subsection();
+  }
+
+  template <int dim>
+  LinearSolver<dim>::LinearSolver(const LinearSolverParameters &p,
+                                  const MaterialConstants      &m)
+    : parameters(p)
+    , material(m)
+  {}
+
+  template <int dim>
+  void
+  LinearSolver<dim>::initialize(const BlockMatrix<dim> &system_matrix,
+                                const Assembler<dim>   &assembler,
+                                const typename GridState<dim>::Vector &mass)
+  {
+    matrix                          = &system_matrix;
+    const Occupancy<dim> &occupancy = matrix->occupancy;
+    row_scale = material.density * assembler.coefficients().inertia *
+                occupancy.smallest_extent();
+    preconditioner.pressure_row_scale = row_scale;
+
+    const types::global_dof_index unknowns =
+      occupancy.n_global_nodes() * (dim + (matrix->has_pressure() ? 1 : 0));
+    direct = parameters.solver == "direct" ||
+             (parameters.solver == "automatic" && unknowns < direct_below);
+    closed = matrix->has_pressure() && std::isinf(material.bulk_modulus) &&
+             !occupancy.has_free_surface();
+    set_up = [this, &assembler, &mass]() {
+      preconditioner.initialize(*matrix, assembler, material, mass, closed);
+    };
+    if (!direct)
+      set_up();
+  }
+
+  template <int dim>
+  double
+  LinearSolver<dim>::norm(const BlockVector &residual) const
+  {
+    double square = residual.block(0).norm_sqr();
+    if (residual.n_blocks() == 2)
+      square += row_scale * row_scale * residual.block(1).norm_sqr();
+    return std::sqrt(square);
+  }
+
+  template <int dim>
+  LinearResult
+  LinearSolver<dim>::solve(BlockVector       &solution,
+                           const BlockVector &right_hand_side,
+                           const double       tolerance)
+  {
+    LinearResult result;
+    if (direct)
+      result.converged =
+        solve_directly<dim>(*matrix, closed, solution, right_hand_side);
+    else
+      {
+        result = solve_iteratively(solution, right_hand_side, tolerance);
+        if (!result.converged)
+          {
+            const unsigned int wasted = result.iterations;
+            preconditioner.force_setup();
+            set_up();
+            result = solve_iteratively(solution, right_hand_side, tolerance);
+            result.iterations += wasted;
+          }
+      }
+    if (closed)
+      solution.block(1).add(-solution.block(1).mean_value());
+    return result;
+  }
+
+  template <int dim>
+  LinearResult
+  LinearSolver<dim>::solve_iteratively(BlockVector       &solution,
+                                       const BlockVector &right_hand_side,
+                                       const double       tolerance)
+  {
+    scaled = right_hand_side;
+    if (matrix->has_pressure())
+      scaled.block(1) *= row_scale;
+    const double target = tolerance * scaled.l2_norm();
+    solution            = 0.;
+    LinearResult result;
+    if (!std::isfinite(target))
+      return result;
+    SolverControl control(parameters.maximum_iterations,
+                          std::max(target, std::numeric_limits<double>::min()));
+    typename SolverFGMRES<BlockVector>::AdditionalData data;
+    data.max_basis_size = 60;
+    SolverFGMRES<BlockVector> solver(control, data);
+    try
+      {
+        solver.solve(ScaledOperator<dim>{*matrix, row_scale},
+                     solution,
+                     scaled,
+                     preconditioner);
+        result.converged = true;
+      }
+    catch (const SolverControl::NoConvergence &)
+      {
+        result.converged = false;
+      }
+    result.iterations = control.last_step();
+    return result;
+  }
+
+  template class LinearSolver<2>;
+  template class LinearSolver<3>;
+} // namespace seiche

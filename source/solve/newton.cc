@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/solve/newton.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <fmt/format.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  void
+  NewtonParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Solver");
+    prm.add_parameter("Newton tolerance",
+                      tolerance,
+                      "Each field's residual over its first value at which "
+                      "Newton's iteration ends [-]",
+                      Patterns::Double(1e-15, 1.));
+    prm.add_parameter("Newton absolute tolerance",
+                      absolute_tolerance,
+                      "The same over the forces and volumes at work [-]",
+                      Patterns::Double(0.));
+    prm.add_parameter("Newton maximum iterations",
+                      maximum_iterations,
+                      "Iterations after which a step is repeated with half "
+                      "its size",
+                      Patterns::Integer(1));
+    prm.leave_subsection();
+  }
+
+  template <int dim>
+  Newton<dim>::Newton(const NewtonParameters &p,
+                      const double            forcing,
+                      Assembler<dim>         &a,
+                      BlockMatrix<dim>       &m,
+                      LinearSolver<dim>      &s)
+    : parameters(p)
+    , largest_forcing(forcing)
+    , assembler(a)
+    , matrix(m)
+    , solver(s)
+  {}
+
+  template <int dim>
+  typename Newton<dim>::Norms
+  Newton<dim>::norms(const BlockVector &vector) const
+  {
+    Norms result;
+    result.momentum = vector.block(0).l2_norm();
+    if (vector.n_blocks() == 2)
+      result.volume = vector.block(1).l2_norm();
+    return result;
+  }
+
+  template <int dim>
+  typename Newton<dim>::Norms
+  Newton<dim>::scales(const GridState<dim> &state) const
+  {
+    const double g = assembler.body_force_scale();
+    double       force = 0., volume = 0.;
+    for (unsigned int i = 0; i < state.mass.locally_owned_size(); ++i)
+      {
+        const double m     = state.mass.local_element(i);
+        double       speed = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          speed += std::pow(state.velocity_start.local_element(dim * i + c), 2);
+        const double f = m * (std::sqrt(speed) / state.dt + g);
+        force += f * f;
+        volume += m * m;
+      }
+    const MPI_Comm communicator = state.mass.get_mpi_communicator();
+    Norms          result;
+    result.momentum = std::sqrt(Utilities::MPI::sum(force, communicator));
+    result.volume   = std::sqrt(Utilities::MPI::sum(volume, communicator)) /
+                    assembler.formulation.material.density;
+    return result;
+  }
+
+  template <int dim>
+  NewtonResult
+  Newton<dim>::solve(GridState<dim> &state)
+  {
+    NewtonResult result;
+    residual.reinit(state.solution);
+    update.reinit(state.solution);
+    assembler.residual(state, residual);
+    const Norms first = norms(residual), scale = scales(state);
+    const Norms target = {
+      std::max(parameters.tolerance * first.momentum,
+               parameters.absolute_tolerance * scale.momentum),
+      std::max(parameters.tolerance * first.volume,
+               parameters.absolute_tolerance * scale.volume)};
+
+    Norms  now     = first;
+    double forcing = largest_forcing;
+    while (now.momentum > target.momentum || now.volume > target.volume)
+      {
+        if (result.iterations == parameters.maximum_iterations ||
+            !std::isfinite(now.momentum + now.volume))
+          {
+            result.failure = fmt::format(
+              "Newton stopped after {} iterations, residuals {:.1e} and {:.1e} "
+              "of their first values",
+              result.iterations,
+              now.momentum / first.momentum,
+              first.volume > 0. ? now.volume / first.volume : 0.);
+            return result;
+          }
+        assembler.tangent(state, matrix);
+        solver.initialize(matrix, assembler, state.mass);
+        const double before = solver.norm(residual);
+        residual *= -1.;
+        const LinearResult linear = solver.solve(update, residual, forcing);
+        result.krylov_iterations += linear.iterations;
+        ++result.iterations;
+        if (!linear.converged)
+          {
+            result.failure = fmt::format(
+              "the linear solver stopped after {} iterations",
+              linear.iterations);
+            return result;
+          }
+        state.solution.zero_out_ghost_values();
+        state.solution += update;
+        state.solution.update_ghost_values();
+        assembler.residual(state, residual);
+        now = norms(residual);
+
+        // what is left to gain: never ask the next solve for much more
+        const double after = solver.norm(residual);
+        const double needed =
+          0.3 * std::min(target.momentum / now.momentum,
+                         now.volume > 0. ? target.volume / now.volume : 1.);
+        forcing = std::clamp(0.9 * std::pow(after / before, 2),
+                             std::min(needed, largest_forcing),
+                             largest_forcing);
+      }
+    result.converged = true;
+    return result;
+  }
+
+  template class Newton<2>;
+  template class Newton<3>;
+} // namespace seiche

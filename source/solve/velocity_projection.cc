@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/solve/velocity_projection.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  VelocityProjection<dim>::VelocityProjection(Assembler<dim>    &a,
+                                              BlockMatrix<dim>  &m,
+                                              LinearSolver<dim> &s,
+                                              const double       t)
+    : assembler(a)
+    , matrix(m)
+    , solver(s)
+    , tolerance(t)
+  {}
+
+  template <int dim>
+  LinearResult
+  VelocityProjection<dim>::solve(GridState<dim>         &state,
+                                 const StepCoefficients &coefficients,
+                                 const Vector           &inertia_offset,
+                                 const Vector           &rate_offset,
+                                 BlockVector            &update)
+  {
+    state.solution = 0.;
+    state.solution.update_ghost_values();
+    assembler.begin(coefficients, state.time, inertia_offset, rate_offset);
+    BlockVector right_hand_side(state.solution);
+    right_hand_side.zero_out_ghost_values();
+    assembler.residual(state, right_hand_side);
+    right_hand_side *= -1.;
+    assembler.tangent(state, matrix);
+    solver.initialize(matrix, assembler, state.mass);
+    return solver.solve(update, right_hand_side, tolerance);
+  }
+
+  template <int dim>
+  LinearResult
+  VelocityProjection<dim>::apply(GridState<dim> &state)
+  {
+    const double     dt = state.dt;
+    StepCoefficients c;
+    c.dt              = dt;
+    c.theta           = 1.;
+    c.inertia         = 1. / (dt * dt);
+    c.rate            = 1. / dt;
+    c.volume_recovery = 0.;
+    c.viscous = c.body_force = c.damping = false;
+
+    Vector inertia_offset(state.velocity_n);
+    inertia_offset *= -1. / dt;
+    inertia_offset.update_ghost_values();
+    const Vector rate_offset(state.velocity_n.get_partitioner());
+    BlockVector  update(state.solution);
+    const LinearResult result =
+      solve(state, c, inertia_offset, rate_offset, update);
+    state.velocity_start.zero_out_ghost_values();
+    state.velocity_start.equ(1. / dt, update.block(0));
+    state.velocity_start.update_ghost_values();
+    return result;
+  }
+
+  template <int dim>
+  LinearResult
+  VelocityProjection<dim>::consistent_start(GridState<dim> &state)
+  {
+    // a_0 and p_0 do not depend on this time; a short one makes the change of
+    // shape within it negligible
+    const double     dt = 1e-3 * state.dt;
+    StepCoefficients c;
+    c.dt              = dt;
+    c.theta           = 1.;
+    c.inertia         = 1. / (dt * dt);
+    c.rate            = 0.;
+    c.volume_recovery = 0.;
+    c.damping         = false;
+    c.rate_constraint = dt * dt;
+
+    const Vector zero(state.velocity_n.get_partitioner());
+    BlockVector  update(state.solution);
+    const LinearResult result =
+      solve(state, c, zero, state.velocity_start, update);
+    state.acceleration_n.zero_out_ghost_values();
+    state.acceleration_n.equ(1. / (dt * dt), update.block(0));
+    state.acceleration_n.update_ghost_values();
+    if (state.has_pressure())
+      {
+        state.pressure_guess.zero_out_ghost_values();
+        state.pressure_guess = update.block(1);
+        state.pressure_guess.update_ghost_values();
+      }
+    return result;
+  }
+
+  template class VelocityProjection<2>;
+  template class VelocityProjection<3>;
+} // namespace seiche

@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/transfer/point_arrays.h>
+#include <seiche/transfer/transfer.h>
+#include <seiche/utilities/shape_functions.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <limits>
+
+namespace seiche
+{
+  namespace
+  {
+    /// Points are treated in blocks of this many: two vectors of AVX-512 or
+    /// four of AVX2, which hides the latency of the sums.
+    constexpr unsigned int n_lanes = 8;
+
+
+
+    /// Nodal values of one cell, component by component.
+    template <int dim>
+    struct CellField
+    {
+      double values[dim][LinearShape<dim>::n_nodes];
+
+      void
+      gather(const double *vector, const unsigned int *nodes)
+      {
+        for (unsigned int i = 0; i < LinearShape<dim>::n_nodes; ++i)
+          for (unsigned int c = 0; c < dim; ++c)
+            values[c][i] = vector[dim * nodes[i] + c];
+      }
+    };
+
+
+
+    /// Shape functions at the points of one block.
+    template <int dim>
+    struct Block
+    {
+      static constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
+
+      double N[n_nodes][n_lanes];
+      double gradient[n_nodes][dim][n_lanes]; // at t_n, [1/m]
+
+      /// Lanes beyond @p n_filled repeat the first point.
+      template <typename Arrays>
+      void
+      reinit(const Arrays                 &arrays,
+             const std::size_t             first,
+             const unsigned int            n_filled,
+             const dealii::Point<dim>     &lower,
+             const dealii::Tensor<1, dim> &extent)
+      {
+        double unit[dim][n_lanes];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double inverse = 1. / extent[d];
+            for (unsigned int l = 0; l < n_lanes; ++l)
+              unit[d][l] =
+                (arrays.position[d][first + (l < n_filled ? l : 0)] -
+                 lower[d]) *
+                inverse;
+          }
+        LinearShape<dim>::evaluate_lanes(unit, N, gradient);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double inverse = 1. / extent[d];
+            for (unsigned int i = 0; i < n_nodes; ++i)
+              for (unsigned int l = 0; l < n_lanes; ++l)
+                gradient[i][d][l] *= inverse;
+          }
+      }
+
+      /// result [n_lanes] = sum_I N_I nodal_I
+      void
+      value(const double (&nodal)[n_nodes], double (&result)[n_lanes]) const
+      {
+        for (unsigned int l = 0; l < n_lanes; ++l)
+          result[l] = N[0][l] * nodal[0];
+        for (unsigned int i = 1; i < n_nodes; ++i)
+          for (unsigned int l = 0; l < n_lanes; ++l)
+            result[l] += N[i][l] * nodal[i];
+      }
+
+      /// result [dim][dim][n_lanes]: d field_c / d x_d, plus the identity if
+      /// asked for.
+      void
+      field_gradient(const CellField<dim> &field,
+                     const bool            add_identity,
+                     double (&result)[dim][dim][n_lanes]) const
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              const double start = add_identity && c == d ? 1. : 0.;
+              for (unsigned int l = 0; l < n_lanes; ++l)
+                result[c][d][l] = start;
+              for (unsigned int i = 0; i < n_nodes; ++i)
+                for (unsigned int l = 0; l < n_lanes; ++l)
+                  result[c][d][l] += gradient[i][d][l] * field.values[c][i];
+            }
+      }
+    };
+
+
+
+    /// Cofactors of F [dim][dim][n_lanes]: F^-1_ij = cofactor_ji / det F.
+    template <int dim>
+    void
+    determinant_and_cofactors(const double (&F)[dim][dim][n_lanes],
+                              double (&det)[n_lanes],
+                              double (&cofactor)[dim][dim][n_lanes])
+    {
+      for (unsigned int l = 0; l < n_lanes; ++l)
+        {
+          if constexpr (dim == 2)
+            {
+              cofactor[0][0][l] = F[1][1][l];
+              cofactor[0][1][l] = -F[1][0][l];
+              cofactor[1][0][l] = -F[0][1][l];
+              cofactor[1][1][l] = F[0][0][l];
+            }
+          else
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int j = 0; j < dim; ++j)
+                {
+                  const unsigned int i1 = (i + 1) % dim, i2 = (i + 2) % dim;
+                  const unsigned int j1 = (j + 1) % dim, j2 = (j + 2) % dim;
+                  cofactor[i][j][l] =
+                    F[i1][j1][l] * F[i2][j2][l] - F[i1][j2][l] * F[i2][j1][l];
+                }
+          det[l] = 0.;
+          for (unsigned int j = 0; j < dim; ++j)
+            det[l] += F[0][j][l] * cofactor[0][j][l];
+        }
+    }
+
+
+
+    /// Calls action(cell, first point, number of points) for all blocks of
+    /// the occupied cells, begin(cell) before the first one of a cell.
+    template <int dim, typename Begin, typename Action>
+    void
+    for_each_block(const Occupancy<dim>  &occupancy,
+                   const PointCloud<dim> &points,
+                   const Begin           &begin,
+                   const Action          &action)
+    {
+      for (const unsigned int cell : occupancy.occupied_cells())
+        {
+          begin(cell);
+          const std::size_t end = points.first_point(cell + 1);
+          for (std::size_t p = points.first_point(cell); p < end; p += n_lanes)
+            action(cell,
+                   p,
+                   static_cast<unsigned int>(
+                     std::min<std::size_t>(n_lanes, end - p)));
+        }
+    }
+
+
+
+    /// The velocity of the points of a block, by the method's rule.
+    template <int dim>
+    class VelocityRule
+    {
+    public:
+      VelocityRule(const TransferMethod     &transfer_method,
+                   const TransferParameters &parameters,
+                   const GridState<dim>     &state)
+        : method(transfer_method)
+        // v_p <- keep v_p + N (v_np1 - keep v_n): 1 is FLIP, 0 is PIC
+        , keep(transfer_method.update == VelocityUpdate::flip_increment ? 1. :
+               transfer_method.update == VelocityUpdate::blend ?
+                                                    parameters.flip_fraction :
+                                                    0.)
+        , dt(state.dt)
+        , velocity_n(state.velocity_n.begin())
+        , velocity_np1(state.velocity_np1.begin())
+        , acceleration_np1(
+            state.acceleration_np1.size() > 0 ? state.acceleration_np1.begin() :
+                                                nullptr)
+      {}
+
+      void
+      gather(const unsigned int *nodes)
+      {
+        end_field.gather(velocity_np1, nodes);
+        source = end_field;
+        if (keep > 0.)
+          {
+            CellField<dim> start;
+            start.gather(velocity_n, nodes);
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int i = 0; i < LinearShape<dim>::n_nodes; ++i)
+                source.values[c][i] -= keep * start.values[c][i];
+          }
+        if (acceleration_np1 != nullptr)
+          acceleration_field.gather(acceleration_np1, nodes);
+      }
+
+      template <typename Arrays>
+      void
+      update(const Block<dim>  &block,
+             const Arrays      &arrays,
+             const std::size_t  first,
+             const unsigned int n_filled) const
+      {
+        const bool with_acceleration =
+          acceleration_np1 != nullptr && arrays.acceleration[0] != nullptr;
+        double result[n_lanes];
+        if (method.update == VelocityUpdate::flip_acceleration)
+          {
+            Assert(with_acceleration,
+                   dealii::ExcMessage("Points or grid lack accelerations."));
+            // Newmark with gamma = 1/2, as in the founding paper
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                block.value(acceleration_field.values[c], result);
+                for (unsigned int l = 0; l < n_filled; ++l)
+                  arrays.velocity[c][first + l] +=
+                    0.5 * dt * (arrays.acceleration[c][first + l] + result[l]);
+              }
+          }
+        else
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              block.value(source.values[c], result);
+              for (unsigned int l = 0; l < n_filled; ++l)
+                arrays.velocity[c][first + l] =
+                  keep * arrays.velocity[c][first + l] + result[l];
+            }
+        if (with_acceleration)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              block.value(acceleration_field.values[c], result);
+              for (unsigned int l = 0; l < n_filled; ++l)
+                arrays.acceleration[c][first + l] = result[l];
+            }
+      }
+
+      CellField<dim> end_field; // v_np1, for the gradient
+
+    private:
+      const TransferMethod &method;
+      const double          keep;
+      const double          dt;
+      const double         *velocity_n;
+      const double         *velocity_np1;
+      const double         *acceleration_np1;
+      CellField<dim>        source;
+      CellField<dim>        acceleration_field;
+    };
+
+
+
+    /// C = (grad_n v_np1) f_1^-1: the gradient in the end configuration.
+    template <int dim, typename Arrays>
+    void
+    update_gradient(const Block<dim>     &block,
+                    const CellField<dim> &velocity,
+                    const double (&det)[n_lanes],
+                    const double (&cofactor)[dim][dim][n_lanes],
+                    const Arrays      &arrays,
+                    const std::size_t  first,
+                    const unsigned int n_filled)
+    {
+      double gradient[dim][dim][n_lanes];
+      block.field_gradient(velocity, /*add_identity=*/false, gradient);
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double result[n_lanes];
+            for (unsigned int l = 0; l < n_lanes; ++l)
+              {
+                double sum = 0.;
+                for (unsigned int k = 0; k < dim; ++k)
+                  sum += gradient[c][k][l] * cofactor[d][k][l];
+                result[l] = sum / det[l];
+              }
+            for (unsigned int l = 0; l < n_filled; ++l)
+              arrays.gradient[c * dim + d][first + l] = result[l];
+          }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  StepCheck
+  Transfer<dim>::check(const GridState<dim>  &state,
+                       const PointCloud<dim> &points) const
+  {
+    const PointArrays<dim, const PointCloud<dim>> arrays(points);
+    const CellLocator<dim>                       &locator = points.locator;
+    const double *displacement                            = state.displacement().begin();
+
+    CellField<dim> u;
+    Block<dim>     block;
+    double         min_det = std::numeric_limits<double>::max();
+    double         max_u   = 0.;
+    double         sum     = 0.; // not finite if any value is not
+    for_each_block(
+      occupancy,
+      points,
+      [&](const unsigned int cell) {
+        u.gather(displacement, occupancy.cell_nodes(cell));
+      },
+      [&](const unsigned int cell,
+          const std::size_t  first,
+          const unsigned int n_filled) {
+        const auto &extent = locator.extent(cell);
+        block.reinit(
+          arrays, first, n_filled, locator.lower_corner(cell), extent);
+        double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes];
+        double det[n_lanes], moved[n_lanes];
+        block.field_gradient(u, /*add_identity=*/true, F);
+        determinant_and_cofactors<dim>(F, det, cofactor);
+        for (unsigned int l = 0; l < n_lanes; ++l)
+          {
+            min_det = std::min(min_det, det[l]);
+            sum += det[l];
+          }
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            block.value(u.values[c], moved);
+            for (unsigned int l = 0; l < n_lanes; ++l)
+              {
+                max_u = std::max(max_u, std::abs(moved[l]) / extent[c]);
+                sum += moved[l];
+              }
+          }
+      });
+
+    std::array<double, 3> worst = {
+      {-min_det, max_u, std::isfinite(sum) ? 0. : 1.}};
+    if (dealii::Utilities::MPI::n_mpi_processes(points.communicator) > 1)
+      {
+        const std::array<double, 3> own = worst;
+        dealii::Utilities::MPI::max(
+          dealii::ArrayView<const double>(own.data(), own.size()),
+          points.communicator,
+          dealii::ArrayView<double>(worst.data(), worst.size()));
+      }
+    StepCheck result;
+    result.min_det_F        = -worst[0];
+    result.max_displacement = worst[1];
+    result.finite           = worst[2] == 0.;
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Transfer<dim>::grid_to_points(const GridState<dim> &state,
+                                PointCloud<dim>      &points) const
+  {
+    const PointArrays<dim, PointCloud<dim>> arrays(points);
+    const CellLocator<dim>                 &locator = points.locator;
+    constexpr unsigned int                  n_nodes = LinearShape<dim>::n_nodes;
+
+    const bool    with_pressure = state.solution.n_blocks() > 1;
+    const double *displacement  = state.displacement().begin();
+    const double *pressure = with_pressure ? state.pressure().begin() : nullptr;
+
+    VelocityRule<dim> rule(method, parameters, state);
+    CellField<dim>    u;
+    double            p_nodal[n_nodes] = {};
+    Block<dim>        block;
+    for_each_block(
+      occupancy,
+      points,
+      [&](const unsigned int cell) {
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        u.gather(displacement, nodes);
+        rule.gather(nodes);
+        if (with_pressure)
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            p_nodal[i] = pressure[nodes[i]];
+      },
+      [&](const unsigned int cell,
+          const std::size_t  first,
+          const unsigned int n_filled) {
+        block.reinit(arrays,
+                     first,
+                     n_filled,
+                     locator.lower_corner(cell),
+                     locator.extent(cell));
+        double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes];
+        double det[n_lanes], result[n_lanes];
+        block.field_gradient(u, /*add_identity=*/true, F);
+        determinant_and_cofactors<dim>(F, det, cofactor);
+        for (unsigned int l = 0; l < n_filled; ++l)
+          arrays.volume_ratio[first + l] *= det[l];
+        rule.update(block, arrays, first, n_filled);
+        if (arrays.gradient[0] != nullptr)
+          update_gradient<dim>(
+            block, rule.end_field, det, cofactor, arrays, first, n_filled);
+        if (with_pressure)
+          {
+            block.value(p_nodal, result);
+            for (unsigned int l = 0; l < n_filled; ++l)
+              arrays.pressure[first + l] = result[l];
+          }
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            block.value(u.values[c], result);
+            for (unsigned int l = 0; l < n_filled; ++l)
+              arrays.position[c][first + l] += result[l];
+          }
+      });
+  }
+
+
+
+  template StepCheck
+  Transfer<2>::check(const GridState<2> &, const PointCloud<2> &) const;
+  template StepCheck
+  Transfer<3>::check(const GridState<3> &, const PointCloud<3> &) const;
+  template void
+  Transfer<2>::grid_to_points(const GridState<2> &, PointCloud<2> &) const;
+  template void
+  Transfer<3>::grid_to_points(const GridState<3> &, PointCloud<3> &) const;
+} // namespace seiche

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/transfer/interpolate.h>
+#include <seiche/utilities/shape_functions.h>
+
+namespace seiche
+{
+  template <int dim>
+  void
+  interpolate_to_points(const Occupancy<dim>                  &occupancy,
+                        const typename Occupancy<dim>::Vector &field,
+                        const PointColumn                      column,
+                        PointCloud<dim>                       &points)
+  {
+    constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
+    double                 N[n_nodes];
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (std::size_t p = points.first_point(cell);
+             p < points.first_point(cell + 1);
+             ++p)
+          {
+            LinearShape<dim>::values(
+              points.locator.to_unit(cell, points.position(p)), N);
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                double sum = 0.;
+                for (unsigned int a = 0; a < n_nodes; ++a)
+                  sum += N[a] * field.local_element(dim * nodes[a] + c);
+                points.data(column, c)[p] = sum;
+              }
+          }
+      }
+  }
+
+#define INSTANTIATE(dim)                           \
+  template void interpolate_to_points<dim>(        \
+    const Occupancy<dim> &,                        \
+    const typename Occupancy<dim>::Vector &,       \
+    const PointColumn,                             \
+    PointCloud<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+} // namespace seiche

@@ -1,0 +1,454 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run `seiche` on broken files and command lines.
+
+    check_input.py PROGRAM GROUP [--verbose]
+
+Every case must end with the exit code of its kind, one message on standard
+error that holds the expected texts (file:line and the entry among them),
+nothing on standard output, and must leave the folder as it was.
+"""
+
+import argparse
+import fcntl
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+SCENE = """\
+set Dimension = 2
+subsection Grid
+  set Lower corner = 0, 0
+  set Upper corner = 1.0, 0.5
+  set Cell size    = 0.1
+end
+subsection Body force
+  set Acceleration = 0; -9.81
+end
+subsection Fluid
+  set Density           = 1000
+  set Dynamic viscosity = 0.001
+  set Bulk modulus      = infinite
+end
+subsection Fluid body column
+  set Lower corner = 0, 0
+  set Upper corner = 0.4, 0.3
+end
+subsection Time
+  set End time = 0.02
+  set Step     = 0.01
+end
+"""
+
+INPUT, FILES = 2, 4
+
+
+class Case:
+    """A scene file in which `old` is replaced by `new` (or a whole text)."""
+
+    def __init__(self, name, old=None, new="", expect=(), text=None,
+                 arguments=None, code=INPUT, line=True, others=None,
+                 validate=True, prepare=None, full_disk=False):
+        self.name, self.code, self.expect = name, code, list(expect)
+        self.text = SCENE if text is None else text
+        if old is not None:
+            assert self.text.count(old) == 1, f"{name}: {old!r} is not unique"
+            self.text = self.text.replace(old, new)
+        if line is True and old is not None and new:
+            # the first line of the replacement that is a line of its own
+            before = self.text[: self.text.index(new)]
+            shift = len(new) - len(new.lstrip("\n"))
+            line = before.count("\n") + shift + 1
+        if line is not True and line:
+            self.expect.append(f"scene.prm:{line}: ")
+        self.arguments = ["scene.prm"] if arguments is None else arguments
+        self.validate, self.others = validate, others or {}
+        self.prepare, self.full_disk = prepare, full_disk
+
+
+def added(text):
+    """Lines appended to the scene; the place of the first is expected."""
+    return {"text": SCENE + text}
+
+
+LAST = SCENE.count("\n")
+
+SYNTAX = [
+    Case("missing end", **added("subsection Walls\n"), line=LAST + 1,
+         expect=['"Walls"', '"end"']),
+    Case("too many ends", **added("end\n"), line=LAST + 1, expect=['"end"']),
+    Case("text after end", **added("subsection Walls\nend now\n"),
+         line=LAST + 2, expect=['"now"']),
+    Case("not a line", "set Density ", "put Density ", line=11,
+         expect=['"put Density', '"set NAME = VALUE"']),
+    Case("no equals sign", "Cell size    =", "Cell size   ", line=5,
+         expect=["set Cell size", '"set NAME = VALUE"']),
+    Case("no name before the equals sign", "set Step     =", "set =", line=20),
+    Case("entry set twice", "  set Step     = 0.01",
+         "  set Step     = 0.01\n  set Step     = 0.02", line=21,
+         expect=['"Step"', "twice", "scene.prm:20"]),
+    Case("subsection twice, entry twice",
+         **added("subsection Fluid\n  set Density = 1\nend\n"),
+         line=LAST + 2, expect=['"Density"', "twice", "scene.prm:11"]),
+    Case("subsection without name", **added("subsection\nend\n"),
+         line=LAST + 1, expect=["needs a name"]),
+    Case("slash in a name", "Fluid body column", "Fluid body a/b", line=15,
+         expect=["a/b"]),
+    Case("empty file", text="", expect=["scene.prm", "empty"]),
+    Case("comments only", text="# a scene\n\n", line=2),
+    Case("binary file", text="set Dimension = 2\n\0\1\2",
+         expect=["scene.prm", "not a text file"]),
+    Case("includes itself", **added("include scene.prm\n"), line=LAST + 1,
+         expect=["includes itself"]),
+    Case("two files include each other", **added("include other.inc\n"),
+         others={"other.inc": "# first line\ninclude scene.prm\n"},
+         line=None, expect=["other.inc:2: ", "includes itself"]),
+    Case("include of a missing file", **added("include none.inc\n"),
+         line=LAST + 1, expect=["none.inc", "no such file"]),
+    Case("include of a folder", **added("include .\n"), line=LAST + 1,
+         expect=["folder"]),
+    Case("problem in an included file", **added("include other.inc\n"),
+         others={"other.inc": "subsection Walls\n  set Lfet = slip\nend\n"},
+         line=None, expect=["other.inc:2: ", '"Lfet"', '"Left"']),
+    Case("folder", arguments=["."], expect=["folder"]),
+    Case("missing file", arguments=["none.prm"],
+         expect=["none.prm", "no such file"]),
+    Case("not a regular file", arguments=["/dev/zero"],
+         expect=["regular file"]),
+]
+
+NAMES = [
+    Case("unknown entry", "set Density ", "set Densty ",
+         expect=['"Densty" in "Fluid"', '"Density"']),
+    Case("unknown entry far from all", "set Density ", "set Colour ",
+         expect=['"Colour" in "Fluid"', '"Dynamic viscosity"']),
+    Case("entry of another subsection", "set Dimension = 2",
+         "set Dimension = 2\nset Density = 1", line=2,
+         expect=['"Density"', "subsection Fluid"]),
+    Case("unknown subsection", "subsection Body force",
+         "subsection Body forces", expect=['"Body forces"', '"Body force"']),
+    Case("misspelt kind", "Fluid body column", "Fluid bdy column",
+         expect=['"Fluid bdy column"', '"Fluid body column"']),
+    Case("kind without a name", "Fluid body column", "Fluid body",
+         expect=['"Fluid body"', "NAME"]),
+    Case("lower case", "set Cell size ", "set cell size ",
+         expect=['"cell size"', '"Cell size"']),
+    Case("3D wall in 2D", **added("subsection Walls\n  set Front = slip\nend\n"),
+         line=LAST + 2, expect=['"Front"']),
+    Case("probe entry unknown",
+         **added("subsection Probe p\n  set Positon = 0.1, 0.1\nend\n"),
+         line=LAST + 2, expect=['"Positon"', '"Position"']),
+    Case("unknown entry by --set",
+         arguments=["scene.prm", "--set", "Fluid/Viscosity = 1"],
+         expect=['--set "Fluid/Viscosity = 1"', '"Dynamic viscosity"']),
+    Case("unknown subsection by --set",
+         arguments=["scene.prm", "--set", "Fluids/Density = 1"],
+         expect=['--set "Fluids/Density = 1"', '"Fluids"', '"Fluid"']),
+]
+
+VALUES = [
+    Case("no dimension", "set Dimension = 2\n", "",
+         expect=['"Dimension"', "mandatory", "scene.prm:"]),
+    Case("wrong dimension", "set Dimension = 2", "set Dimension = 1",
+         expect=['"Dimension"', "2 or 3"]),
+    Case("dimension of another scene", "set Dimension = 2",
+         "set Dimension = 3", line=3,
+         expect=['"Lower corner" in "Grid"']),
+    Case("mandatory entry missing", "  set Density           = 1000\n", "",
+         line=10, expect=['"Density" in "Fluid"', "mandatory", "kg/m^3"]),
+    Case("mandatory subsection missing",
+         "subsection Time\n  set End time = 0.02\n  set Step     = 0.01\nend\n",
+         "", expect=['"End time" in "Time"', '"Step" in "Time"', "scene.prm:"]),
+    Case("mandatory entry empty", "= 1000", "=", line=11,
+         expect=['"Density" in "Fluid"']),
+    Case("negative density", "= 1000", "= -1000",
+         expect=['"Density" in "Fluid" = -1000', "kg/m^3"]),
+    Case("density zero", "= 1000", "= 0",
+         expect=['"Density" in "Fluid" = 0']),
+    Case("not a number", "= 1000", "= heavy",
+         expect=['"Density" in "Fluid" = heavy', "a number"]),
+    Case("number with unit", "= 1000", "= 1000 kg/m^3",
+         expect=['"Density" in "Fluid"']),
+    Case("decimal comma", "= 0.001", "= 0,001",
+         expect=['"Dynamic viscosity" in "Fluid" = 0,001']),
+    Case("nan", "= 1000", "= nan", expect=['"Density" in "Fluid" = nan']),
+    Case("too large for a double", "= 1000", "= 1e999",
+         expect=['"Density" in "Fluid" = 1e999']),
+    Case("negative viscosity", "= 0.001", "= -0.001",
+         expect=['"Dynamic viscosity" in "Fluid"']),
+    Case("word for the bulk modulus", "= infinite", "= unlimited",
+         expect=['"Bulk modulus" in "Fluid" = unlimited', '"infinite"']),
+    Case("negative bulk modulus", "= infinite", "= -5",
+         expect=['"Bulk modulus" in "Fluid" = -5']),
+    Case("choice misspelt",
+         **added("subsection Walls\n  set Left = noslip\nend\n"),
+         line=LAST + 2,
+         expect=['"Left" in "Walls" = noslip', '"no-slip"', '"open"']),
+    Case("step zero", "= 0.01", "= 0", expect=['"Step" in "Time"']),
+    Case("negative end time", "= 0.02", "= -1",
+         expect=['"End time" in "Time"']),
+    Case("no points", **added("subsection Points\n"
+                              "  set Per cell and direction = 0\nend\n"),
+         line=LAST + 2, expect=['"Per cell and direction" in "Points"']),
+    Case("not an integer", **added("subsection Points\n"
+                                   "  set Per cell and direction = 2.5\nend\n"),
+         line=LAST + 2, expect=['"Per cell and direction" in "Points"']),
+    Case("jitter too large",
+         **added("subsection Points\n  set Jitter = 0.7\nend\n"),
+         line=LAST + 2, expect=['"Jitter" in "Points" = 0.7', "0.5"]),
+    Case("value by --set",
+         arguments=["scene.prm", "--set", "Fluid/Density = -1"],
+         expect=['--set "Fluid/Density = -1"', '"Density" in "Fluid"']),
+    Case("several problems at once", "= 1000\n  set Dynamic viscosity = 0.001",
+         "= -1\n  set Dynamic viscosity = -1", line=11,
+         expect=["scene.prm:12: ", '"Density"', '"Dynamic viscosity"']),
+]
+
+GEOMETRY = [
+    Case("corners in the wrong order", "Upper corner = 1.0, 0.5",
+         "Upper corner = -1.0, 0.5", expect=['"Upper corner" in "Grid"']),
+    Case("three numbers in 2D", "Upper corner = 1.0, 0.5",
+         "Upper corner = 1.0, 0.5, 1", expect=['"Upper corner" in "Grid"']),
+    Case("cell size zero", "= 0.1", "= 0", expect=['"Cell size" in "Grid"']),
+    Case("far too many cells", "= 0.1", "= 1e-9",
+         expect=['"Cell size" in "Grid"']),
+    Case("break point outside", "  set Cell size    = 0.1",
+         "  set Cell size    = 0.1\n  set Break points x = 2", line=6,
+         expect=['"Break points x" in "Grid" = 2']),
+    Case("break points not ascending", "  set Cell size    = 0.1",
+         "  set Cell size    = 0.1\n  set Break points x = 0.5, 0.3", line=6,
+         expect=['"Break points x" in "Grid"']),
+    Case("wrong number of cell counts", "  set Cell size    = 0.1",
+         "  set Cell size    = 0.1\n  set Cells x = 4, 5", line=6,
+         expect=['"Cells x" in "Grid" = 4, 5']),
+    Case("obstacle outside",
+         **added("subsection Obstacle box\n  set Lower corner = 0.9, 0\n"
+                 "  set Upper corner = 1.2, 0.1\nend\n"),
+         line=LAST + 3, expect=['"Upper corner" in "Obstacle box"']),
+    Case("fluid outside the domain", "= 0.4, 0.3", "= 1.4, 0.3", line=None,
+         expect=["scene.prm:", '"Fluid body column"']),
+    Case("body inside out", "= 0.4, 0.3", "= -0.4, 0.3", line=None,
+         expect=["scene.prm:", '"Fluid body column"']),
+    Case("no fluid", "subsection Fluid body column\n  set Lower corner = 0, 0\n"
+         "  set Upper corner = 0.4, 0.3\nend\n", "",
+         expect=["scene.prm", "Fluid body NAME"]),
+    Case("unknown shape", "= 0.4, 0.3", "= 0.4, 0.3\n  set Shape = bal",
+         line=18, expect=['"Shape" in "Fluid body column" = bal', '"ball"']),
+    Case("ball without radius",
+         **added("subsection Fluid body drop\n  set Shape = ball\n"
+                 "  set Centre = 0.7, 0.3\nend\n"),
+         line=LAST + 1, expect=['"Radius" in "Fluid body drop"']),
+    Case("polygon with two vertices",
+         **added("subsection Fluid body p\n  set Shape = polygon\n"
+                 "  set Vertices = 0.5 0, 0.9 0.2\nend\n"),
+         line=LAST + 3, expect=['"Vertices" in "Fluid body p"']),
+    Case("body without a point", "= 0.4, 0.3",
+         "= 0.4, 0.3\nend\nsubsection Fluid body again\n"
+         "  set Lower corner = 0, 0\n  set Upper corner = 0.1, 0.1",
+         line=None, expect=["scene.prm:", '"Fluid body again"']),
+    Case("probe outside",
+         **added("subsection Probe p\n  set Position = 5, 0\nend\n"),
+         line=LAST + 2, expect=['"Position" in "Probe p"']),
+    Case("force on an unknown wall",
+         **added("subsection Force f\n  set Walls = rigth\nend\n"),
+         line=LAST + 2, expect=['"Walls" in "Force f"', '"right"']),
+    Case("score of an unknown column",
+         **added("subsection Score s\n  set Column = speed_mx [m/s]\nend\n"),
+         line=LAST + 2, expect=['"Column" in "Score s"', "speed_max"]),
+    Case("reference table missing",
+         **added("subsection Score s\n  set Column = speed_max [m/s]\n"
+                 "  set Reference table = none.csv\nend\n"),
+         line=LAST + 3, expect=['"Reference table" in "Score s"', "none.csv"]),
+]
+
+
+def gravity(expression):
+    return f"Acceleration = {expression}"
+
+
+EXPRESSIONS = [
+    Case(f"expression {text}", "Acceleration = 0; -9.81", gravity(text),
+         expect=['"Acceleration" in "Body force"'])
+    for text in ["0; -9.81*", "0; (1", "0; foo(x)", "0; w", "0; 1/0",
+                 "0; sqrt(-1)", "0; 0/0", "0; log(x-x)", "0; x, y", "0; y=3",
+                 "0; rand()", "0", "0; 1; 2", "0; z", "0;", "0; -9,81", "0; $"]
+] + [
+    Case(f"velocity {text}", "  set Upper corner = 0.4, 0.3",
+         f"  set Upper corner = 0.4, 0.3\n  set Velocity = {text}", line=18,
+         expect=['"Velocity" in "Fluid body column"'])
+    for text in ["1/x", "0; q", "0; sqrt(0.2-x)"]
+]
+
+COMMAND_LINE = [
+    Case("no file", arguments=[], expect=["Usage", "FILE.prm"]),
+    Case("two files", arguments=["scene.prm", "other.prm"],
+         expect=["other.prm"]),
+    Case("unknown option", arguments=["scene.prm", "--ouput", "x"],
+         expect=["--ouput", "--output"]),
+    Case("--set without text", arguments=["scene.prm", "--set"],
+         expect=["--set"]),
+    Case("--set without equals sign",
+         arguments=["scene.prm", "--set", "Fluid/Density"],
+         expect=['"Subsection/Entry = value"']),
+    Case("--set without entry", arguments=["scene.prm", "--set", "Fluid/ = 1"],
+         expect=['"Subsection/Entry = value"']),
+    Case("--set twice", arguments=["scene.prm", "--set", "Fluid/Density = 1",
+                                   "--set", "Fluid/Density = 2"],
+         expect=['"Density"', "twice"]),
+    Case("--set twice after one option",
+         arguments=["scene.prm", "--set", "Fluid/Density = 1",
+                    "Time/Step = 1"], expect=["Time/Step = 1"]),
+    Case("--output without folder", arguments=["scene.prm", "--output"],
+         expect=["--output"], validate=False),
+    Case("--output with an empty name", arguments=["scene.prm", "--output", ""],
+         expect=["--output"], validate=False),
+]
+
+BAD_RUN = "scene.prm", "--output", "out"
+
+
+def old_run(folder):
+    (folder / "out").mkdir()
+    for name in ("summary.json", "parameters.prm", "run.log", "statistics.csv"):
+        (folder / "out" / name).write_text("of an earlier run\n")
+
+
+def blocked(folder):
+    (folder / "out").write_text("a file, no folder\n")
+
+
+def locked(folder):
+    (folder / "out").mkdir()
+    lock = open(folder / "out" / ".lock", "w")
+    fcntl.flock(lock, fcntl.LOCK_EX)
+    return lock
+
+
+def full(name):
+    """The file is on a full disk: /dev/full refuses every byte."""
+    def prepare(folder):
+        old_run(folder)
+        (folder / "out" / name).unlink(missing_ok=True)
+        (folder / "out" / name).symlink_to("/dev/full")
+    return prepare
+
+
+OUTPUT = [
+    # a run, not only --validate: nothing may be written over
+    Case("bad value", "= 1000", "= -1", arguments=[*BAD_RUN], validate=False,
+         prepare=old_run, expect=['"Density"']),
+    Case("bad body", "= 0.4, 0.3", "= 1.4, 0.3", arguments=[*BAD_RUN],
+         validate=False, prepare=old_run, line=None, expect=["Fluid body"]),
+    Case("bad velocity", "  set Upper corner = 0.4, 0.3",
+         "  set Upper corner = 0.4, 0.3\n  set Velocity = 0; sqrt(0.2-x)",
+         arguments=[*BAD_RUN], validate=False, prepare=old_run, line=18,
+         expect=['"Velocity"']),
+    Case("bad probe",
+         **added("subsection Probe p\n  set Position = 5, 0\nend\n"),
+         arguments=[*BAD_RUN], validate=False, prepare=old_run,
+         line=LAST + 2, expect=['"Position"']),
+    Case("output is a file", arguments=[*BAD_RUN], validate=False,
+         prepare=blocked, code=FILES, expect=["out", "--output"]),
+    Case("output below a file",
+         arguments=["scene.prm", "--output", "scene.prm/out"], validate=False,
+         code=FILES, expect=["scene.prm/out", "--output"]),
+    Case("output where nothing can be made",
+         arguments=["scene.prm", "--output", "/proc/seiche"], validate=False,
+         code=FILES, expect=["/proc/seiche", "--output"]),
+    Case("locked by another run", arguments=[*BAD_RUN], validate=False,
+         prepare=locked, code=FILES, expect=["out", "another run"]),
+] + [
+    Case(f"disk full, {name}", arguments=[*BAD_RUN], validate=False,
+         full_disk=True, code=FILES, prepare=full(name),
+         expect=[f"out/{file}", "No space left", "--output"])
+    for name, file in [("parameters.prm.writing", "parameters.prm"),
+                       ("run.log", "run.log"),
+                       ("statistics.csv", "statistics.csv"),
+                       ("summary.json.writing", "summary.json"),
+                       ("timing.txt.writing", "timing.txt")]
+]
+
+GROUPS = {"syntax": SYNTAX, "names": NAMES, "values": VALUES,
+          "geometry": GEOMETRY, "expressions": EXPRESSIONS,
+          "command_line": COMMAND_LINE, "output": OUTPUT}
+
+
+def snapshot(folder):
+    """Names and contents of everything in the folder but locks."""
+    return {str(path.relative_to(folder)):
+            path.read_bytes() if path.is_file() else None
+            for path in sorted(folder.rglob("*")) if path.name != ".lock"}
+
+
+def run_case(program, case, folder):
+    """Problems of the case, and what it printed."""
+    (folder / "scene.prm").write_bytes(case.text.encode())
+    for name, text in case.others.items():
+        (folder / name).write_text(text)
+    held = case.prepare(folder) if case.prepare else None
+    before = snapshot(folder)
+    command = [program, *case.arguments]
+    if case.validate:
+        command.append("--validate")
+
+    result = subprocess.run(command, cwd=folder, capture_output=True,
+                            text=True, timeout=120, stdin=subprocess.DEVNULL)
+    if hasattr(held, "close"):
+        held.close()
+
+    problems = []
+    if result.returncode != case.code:
+        problems.append(f"exit code {result.returncode}, not {case.code}")
+    for text in case.expect:
+        if text not in result.stderr:
+            problems.append(f"the message lacks {text!r}")
+    for text in ("internal error", "Stacktrace", "terminate called"):
+        if text in result.stderr:
+            problems.append(f"the message has {text!r}")
+    if case.code == INPUT and result.stdout:
+        problems.append("something is printed on standard output")
+    if snapshot(folder) != before:
+        after = snapshot(folder)
+        changed = [name for name in set(after) | set(before)
+                   if after.get(name) != before.get(name)]
+        # on a full disk the run may have begun, but not ended
+        if not case.full_disk or "out/summary.json" in changed:
+            problems.append(f"files changed: {', '.join(sorted(changed))}")
+    return problems, result.stdout + result.stderr
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("group", choices=[*GROUPS, "all"])
+    parser.add_argument("--verbose", action="store_true")
+    options = parser.parse_args()
+    program = str(options.program.resolve())
+    cases = [case for name, group in GROUPS.items() for case in group
+             if options.group in (name, "all")]
+    if options.group == "all" or options.group == "values":
+        cases.insert(0, None)
+
+    failures = 0
+    for case in cases:
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            if case is None:
+                # the scene itself must be fine, or the cases prove nothing
+                case = Case("unbroken scene", code=0, expect=[])
+            problems, printed = run_case(program, case, folder)
+        failures += bool(problems)
+        if problems or options.verbose:
+            print(f"{'FAILED' if problems else 'passed'}: {case.name}")
+            for problem in problems:
+                print(f"    {problem}")
+            print("    | " + printed.strip().replace("\n", "\n    | "))
+    print(f"{len(cases)} cases, {failures} failed")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    os.environ["LC_ALL"] = "C"
+    sys.exit(main())

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Location of random points and of points on lines and walls, against a
+// search through all cells.
+#include <seiche/points/cell_locator.h>
+
+#include "scene_from_text.h"
+
+#include <random>
+
+namespace
+{
+  template <int dim>
+  unsigned int
+  brute_force(const seiche::CellLocator<dim> &locator,
+              const dealii::Point<dim>       &x)
+  {
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      if (locator.holds(cell, x))
+        return cell;
+    return locator.invalid;
+  }
+
+
+
+  template <int dim>
+  void
+  compare(const std::string &text)
+  {
+    const SceneFromText<dim>          scene(text);
+    const seiche::BackgroundGrid<dim> grid(scene.grid_parameters,
+                                           MPI_COMM_WORLD);
+    const seiche::CellLocator<dim>    locator(grid);
+    const auto box = scene.grid_parameters.domain();
+
+    std::mt19937                           random(1);
+    std::uniform_real_distribution<double> share(-0.05, 1.05);
+    unsigned int n_wrong = 0, n_wrong_hint = 0, n_outside = 0, n_geometry = 0;
+    unsigned int last = 0;
+    for (unsigned int i = 0; i < 5000; ++i)
+      {
+        dealii::Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = box.lower_bound(d) + share(random) * box.side_length(d);
+        if (i % 2 == 0) // on a grid line
+          x[0] = locator.lower_corner(i % locator.n_cells())[0];
+        const unsigned int wanted = brute_force(locator, x);
+        const unsigned int found  = locator.find(x);
+        n_wrong += found != wanted;
+        n_wrong_hint += locator.find(x, last) != wanted;
+        n_outside += found == locator.invalid;
+        if (found != locator.invalid)
+          {
+            last = found;
+            n_geometry +=
+              locator.index(locator.iterator(found)) != found ||
+              std::abs(locator.iterator(found)->measure() /
+                         locator.measure(found) -
+                       1.) > 1e-10;
+          }
+      }
+    std::cout << dim << "D: cells " << locator.n_cells() << " wrong " << n_wrong
+              << " wrong with hint " << n_wrong_hint << " geometry "
+              << n_geometry << " some outside " << (n_outside > 0)
+              << std::endl;
+
+    // neighbours across faces share that face
+    unsigned int n_bad = 0, n_walls = 0;
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      for (unsigned int face = 0; face < 2 * dim; ++face)
+        {
+          const unsigned int other = locator.neighbor(cell, face);
+          if (other == locator.invalid)
+            ++n_walls;
+          else
+            n_bad += locator.neighbor(other, face ^ 1u) != cell ||
+                     (face % 2 == 0 ? locator.lower_corner(cell)[face / 2] !=
+                                        locator.upper_corner(other)[face / 2] :
+                                      locator.upper_corner(cell)[face / 2] !=
+                                        locator.lower_corner(other)[face / 2]);
+        }
+    std::cout << "  wall faces " << n_walls << " bad neighbours " << n_bad
+              << std::endl;
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  const std::string tank = "subsection Grid\n set Lower corner = 0, 0\n"
+                           "set Upper corner = 3.22, 3.0\n"
+                           "set Break points x = 1.2\n set Cells x = 24, 40\n"
+                           "set Cells y = 60\nend\n";
+  const std::string weir = "subsection Obstacle weir\n"
+                           "set Lower corner = 1.61, 0\n"
+                           "set Upper corner = 2.02, 0.5\nend\n";
+  compare<2>(tank);
+  compare<2>(tank + weir);
+  compare<3>("subsection Grid\n set Lower corner = -1, 0, 0\n"
+             "set Upper corner = 1, 1, 1\n set Cell size = 0.125\nend\n"
+             "subsection Obstacle post\n set Lower corner = -0.25, 0.25, 0\n"
+             "set Upper corner = 0.25, 0.75, 1\nend\n");
+
+  // walls of the box and of the obstacle, up to round-off
+  const SceneFromText<2>          scene(tank + weir);
+  const seiche::BackgroundGrid<2> grid(scene.grid_parameters, MPI_COMM_WORLD);
+  const seiche::CellLocator<2>    locator(grid);
+  const double                    tiny = 1e-13;
+  for (const dealii::Point<2> &x : {dealii::Point<2>(0., 0.),
+                                    dealii::Point<2>(3.22, 3.),
+                                    dealii::Point<2>(-tiny, 1.),
+                                    dealii::Point<2>(3.22 + tiny, 3. + tiny),
+                                    dealii::Point<2>(1.61, 0.2),
+                                    dealii::Point<2>(1.61 + tiny, 0.2),
+                                    dealii::Point<2>(2.02 - tiny, 0.2),
+                                    dealii::Point<2>(2.02, 0.2),
+                                    dealii::Point<2>(1.8, 0.5),
+                                    dealii::Point<2>(1.8, 0.5 - tiny),
+                                    dealii::Point<2>(1.61 + tiny, 0.5 - tiny),
+                                    dealii::Point<2>(-1e-6, 1.),
+                                    dealii::Point<2>(1.8, 0.3)})
+    {
+      const unsigned int cell = locator.find(x);
+      if (cell == locator.invalid)
+        std::cout << x << ": outside, wall "
+                  << grid.wall_name(locator.wall_beyond(x)) << std::endl;
+      else
+        std::cout << x << ": centre " << locator.box(cell).center()
+                  << std::endl;
+    }
+}

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// All postprocessors on a state whose fields are linear, so that probes and
+// error norms are exact, and whose forces can be counted by hand.
+#include <seiche/parameters/input_file.h>
+#include <seiche/postprocess/postprocessor_table.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <boost/property_tree/xml_parser.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+
+using namespace dealii;
+using namespace seiche;
+
+namespace
+{
+  // The scene: four cells a direction, the lower half full of points at rest
+  // on a no-slip bottom, an obstacle in the upper right.
+  template <int dim>
+  std::string
+  scene()
+  {
+    const bool        flat = dim == 2;
+    const std::string rest = flat ? "" : ", 0.5";
+    return std::string("subsection Grid\n  set Lower corner = 0, 0") +
+           (flat ? "" : ", 0") + "\n  set Upper corner = 1, 1" +
+           (flat ? "" : ", 1") +
+           "\n  set Cell size = 0.25\nend\n"
+           "subsection Walls\n  set Bottom = no-slip\nend\n"
+           "subsection Obstacle post\n  set Lower corner = 0.75, " +
+           (flat ? "0.75" : "0, 0.75") + "\n  set Upper corner = 1, 1" +
+           (flat ? "" : ", 1") +
+           "\nend\n"
+           "subsection Time\n  set End time = 0.2\nend\n"
+           "subsection Output\n  set Interval = 0.1\n"
+           "  set Point series = true\nend\n"
+           "subsection Front right\nend\n"
+           "subsection Front bottom\n  set Direction = y\n"
+           "  set Sense = lower\nend\n"
+           "subsection Gauge middle\n  set Position = 0.5, 0" +
+           (flat ? "" : ", 0") +
+           "\nend\n"
+           "subsection Probe inside\n  set Position = 0.4, 0.3" +
+           (flat ? "" : ", 0.2") +
+           "\nend\n"
+           "subsection Probe sensor\n  set Position = 0, 0.25" +
+           (flat ? "" : ", 0.25") +
+           "\n  set Diameter = 0.1\nend\n"
+           "subsection Probe speed\n  set Position = 0.4, 0.3" +
+           (flat ? "" : ", 0.2") +
+           "\n  set Quantity = velocity\nend\n"
+           "subsection Probe dry\n  set Position = 0.5, 0.9" +
+           (flat ? "" : ", 0.9") +
+           "\nend\n"
+           "subsection Tracked point corner\n  set Position = 0, 0" +
+           (flat ? "" : ", 0") + "\n  set Centre = 0.5, 0.5" + rest +
+           "\nend\n"
+           "subsection Force floor\n  set Walls = bottom\nend\n"
+           "subsection Force box\n  set Walls = left, right, bottom\n"
+           "  set Reference point = 0.5, 0" +
+           (flat ? "" : ", 0") +
+           "\nend\n"
+           "subsection Error p nodes\n  set Sample = nodes\n  set Norm = rms\n"
+           "  set Exact = 3 + 2*x + y\nend\n"
+           "subsection Error p Gauss\n  set Exact = 3 + 2*x + y\nend\n"
+           "subsection Error p points\n  set Sample = material points\n"
+           "  set Norm = maximum\n  set Exact = 3 + 2*x + y\nend\n"
+           "subsection Error p shifted\n  set Exact = 103 + 2*x + y\n"
+           "  set Norm = rms\n  set Remove mean = true\nend\n"
+           "subsection Error p off\n  set Exact = 5 + 2*x + y\n"
+           "  set Norm = rms\n  set Scale = 4\n"
+           "  set Region upper = 0.5, 0.5" +
+           rest +
+           "\nend\n"
+           "subsection Error v Gauss\n  set Quantity = velocity\n"
+           "  set Exact = y; 1 - x" +
+           (flat ? "" : "; 0") +
+           "\nend\n"
+           "subsection Score inside\n"
+           "  set Column = probe inside pressure [Pa]\n"
+           "  set Measure = last\n  set Time column = pressure_time\nend\n";
+  }
+
+  template <int dim>
+  double
+  exact_pressure(const Point<dim> &x)
+  {
+    return 3. + 2. * x[0] + x[1];
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  exact_velocity(const Point<dim> &x)
+  {
+    Tensor<1, dim> v;
+    v[0] = x[1];
+    v[1] = 1. - x[0];
+    return v;
+  }
+
+  /// A linear displacement of the step.
+  template <int dim>
+  Tensor<1, dim>
+  displacement(const Point<dim> &x)
+  {
+    Tensor<1, dim> u;
+    u[0] = 0.04 * x[1];
+    u[1] = 0.02 * x[0];
+    return u;
+  }
+
+  template <int dim>
+  void
+  fill_with_points(PointCloud<dim> &points)
+  {
+    const CellLocator<dim> &locator = points.locator;
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      for (unsigned int k = 0; k < (1u << dim); ++k)
+        {
+          Point<dim> x = locator.lower_corner(cell);
+          for (unsigned int d = 0; d < dim; ++d)
+            x[d] += ((k >> d & 1u) ? 0.75 : 0.25) * locator.extent(cell)[d];
+          if (x[dim - 1] < 0.5)
+            points.insert((locator.lattice_index(cell) << 26) + k,
+                          x,
+                          exact_velocity(x),
+                          0.5,
+                          0.5e-3);
+        }
+    points.locate();
+  }
+
+  /// Nodal fields, exact at the moved nodes; unit reactions where there is
+  /// mass.
+  template <int dim>
+  void
+  set_state(const Occupancy<dim> &occupancy,
+            const double          theta,
+            const double          motion,
+            GridState<dim>       &state)
+  {
+    for (const unsigned int cell : occupancy.occupied_cells())
+      for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+        {
+          const unsigned int node = occupancy.cell_nodes(cell)[a];
+          if (node < occupancy.n_own_nodes())
+            state.mass.local_element(node) = 1.;
+        }
+    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+      {
+        const Point<dim>     x = occupancy.node_position(node);
+        const Tensor<1, dim> u = motion * displacement(x);
+        const Tensor<1, dim> v = exact_velocity(Point<dim>(x + u));
+        if (state.has_pressure())
+          state.pressure().local_element(node) =
+            exact_pressure(Point<dim>(x + theta * u));
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            state.displacement().local_element(dim * node + d) = u[d];
+            state.velocity_np1.local_element(dim * node + d)   = v[d];
+          }
+      }
+    // a node of an occupied cell may be owned by a rank that has none there
+    state.mass.compress(VectorOperation::max);
+    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+      for (unsigned int d = 0; d < dim; ++d)
+        state.reaction.local_element(dim * node + d) =
+          state.mass.local_element(node);
+    state.solution.update_ghost_values();
+    state.velocity_np1.update_ghost_values();
+  }
+
+  template <int dim>
+  void
+  move_points(const double theta, PointCloud<dim> &points)
+  {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const Point<dim>     x = points.position(i);
+        const Tensor<1, dim> u = displacement(x);
+        const Tensor<1, dim> v = exact_velocity(Point<dim>(x + u));
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            points.data(PointColumn::position, d)[i] += u[d];
+            points.data(PointColumn::velocity, d)[i] = v[d];
+          }
+        points.data(PointColumn::pressure)[i] =
+          exact_pressure(Point<dim>(x + theta * u));
+        points.data(PointColumn::volume_ratio)[i] = 1. - 0.04 * 0.02;
+      }
+  }
+
+  /// Number of points of a VTU file; throws if it is no XML.
+  unsigned int
+  points_in_vtu(const std::string &filename)
+  {
+    boost::property_tree::ptree tree;
+    boost::property_tree::read_xml(filename, tree);
+    return tree.get<unsigned int>(
+      "VTKFile.UnstructuredGrid.Piece.<xmlattr>.NumberOfPoints");
+  }
+
+  template <int dim>
+  void
+  run(const bool with_pressure)
+  {
+    const MPI_Comm communicator = MPI_COMM_WORLD;
+    const bool     first = Utilities::MPI::this_mpi_process(communicator) == 0;
+    const std::string name = "scene" + std::to_string(dim) + "d";
+    if (first)
+      {
+        std::ofstream(name + ".prm") << scene<dim>();
+        std::filesystem::create_directory(name);
+      }
+    MPI_Barrier(communicator);
+
+    const InputFile        input(name + ".prm", {});
+    GridParameters<dim>    grid_parameters(input);
+    PostprocessorList<dim> postprocessors(input);
+    ParameterHandler       prm;
+    double                 end_time = 0.;
+    grid_parameters.add_parameters(prm);
+    postprocessors.add_parameters(prm);
+    prm.enter_subsection("Time");
+    prm.add_parameter("End time", end_time);
+    prm.leave_subsection();
+    input.parse_into(prm);
+    grid_parameters.check(input);
+    const BackgroundGrid<dim> grid(grid_parameters, communicator);
+    postprocessors.check(grid);
+    postprocessors.make(name, grid, communicator);
+
+    const CellLocator<dim> locator(grid);
+    PointCloud<dim>        points(locator, {}, communicator);
+    fill_with_points(points);
+    Occupancy<dim> occupancy(locator, 1);
+    occupancy.update(points);
+    Fill<dim> fill(occupancy, true);
+    fill.update(points);
+
+    const double    theta = 0.5;
+    GridState<dim>  state;
+    StatisticsTable statistics("");
+    for (unsigned int step = 0; step < 3; ++step)
+      {
+        // the second step is a repetition of the first, from the same start
+        if (step == 1)
+          move_points(theta, points);
+        state.reinit(occupancy, with_pressure, false);
+        set_state(occupancy, theta, step == 0 ? 0. : 1., state);
+        Tensor<1, dim> gravity;
+        gravity[dim - 1] = -10.;
+        const StepView<dim> view{step,
+                                 0.1 * step,
+                                 step == 0 ? 0. : 0.1,
+                                 step == 0 ? 0. : 0.1 * step - 0.05,
+                                 points,
+                                 occupancy,
+                                 fill,
+                                 state,
+                                 1000.,
+                                 gravity,
+                                 std::numeric_limits<double>::infinity(),
+                                 theta,
+                                 0.0625,
+                                 0.25};
+        statistics.set("time [s]", view.time);
+        statistics.set("dt [s]", view.dt);
+        statistics.set("pressure_time [s]", view.pressure_time);
+        postprocessors.execute(view, statistics);
+        statistics.end_row();
+      }
+    nlohmann::ordered_json summary;
+    postprocessors.finish(statistics, summary);
+    if (!first)
+      return;
+
+    std::cout << (with_pressure ? "mixed " : "irreducible ") << dim << "D\n"
+              << std::setprecision(10);
+    for (const std::string &column : statistics.names())
+      {
+        const double value = statistics.column(column).back();
+        std::cout << column << ": " << (std::abs(value) < 1e-10 ? 0. : value)
+                  << '\n';
+      }
+    for (const auto &[key, value] : summary["ledger"].items())
+      std::cout << "ledger " << key << ' '
+                << (value.is_number() && std::abs(double(value)) < 1e-10 ?
+                      "0" :
+                      value.dump())
+                << '\n';
+    std::cout << "errors " << summary["errors"] << '\n';
+
+    unsigned int n_points = 0, n_corners = 0, n_frames = 0;
+    for (const auto &entry : std::filesystem::directory_iterator(name))
+      {
+        const std::string file = entry.path().filename().string();
+        if (file.find("points_000002") == 0 &&
+            entry.path().extension() == ".vtu")
+          n_points += points_in_vtu(entry.path().string());
+        if (file.find("grid_000002") == 0 && entry.path().extension() == ".vtu")
+          n_corners += points_in_vtu(entry.path().string());
+        n_frames += entry.path().extension() == ".h5";
+      }
+    std::cout << "last frame: points " << n_points << ", corners of cells "
+              << n_corners << "; HDF5 frames " << n_frames << '\n'
+              << std::endl;
+    std::filesystem::remove_all(name);
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  run<2>(true);
+  run<3>(true);
+  run<2>(false);
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef tests_unit_scene_from_text_h
+#define tests_unit_scene_from_text_h
+
+#include <seiche/parameters/input_file.h>
+#include <seiche/points/seeding.h>
+#include <seiche/scene/background_grid.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// A parameter file with the text of a test; one per rank.
+inline std::string
+file_with(const std::string &text)
+{
+  const std::string name =
+    "scene" +
+    std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) +
+    ".prm";
+  std::ofstream(name) << text;
+  return name;
+}
+
+/// Grid, fluid bodies and points of a scene, as the program makes them.
+template <int dim>
+struct SceneFromText
+{
+  explicit SceneFromText(const std::string &text)
+    : input(file_with("set Dimension = " + std::to_string(dim) + "\n" + text),
+            {})
+    , grid_parameters(input)
+  {
+    for (const std::string &name : input.instances("Fluid body"))
+      {
+        bodies.emplace_back();
+        bodies.back().name = name;
+      }
+    dealii::ParameterHandler prm;
+    seiche::InputFile::declare_dimension(prm);
+    grid_parameters.add_parameters(prm);
+    seeding.add_parameters(prm);
+    for (auto &body : bodies)
+      body.add_parameters(prm);
+    input.parse_into(prm);
+    grid_parameters.check(input);
+    seeding.check(input);
+  }
+
+  seiche::InputFile                              input;
+  seiche::GridParameters<dim>                    grid_parameters;
+  seiche::SeedingParameters                      seeding;
+  std::vector<seiche::FluidBodyParameters<dim>>  bodies;
+};
+
+/// Prints the message of the InputError that the action throws.
+template <typename Action>
+void
+print_input_error(const Action &action)
+{
+  try
+    {
+      action();
+      std::cout << "accepted" << std::endl;
+    }
+  catch (const seiche::InputError &error)
+    {
+      std::cout << error.what() << std::endl;
+    }
+}
+
+#endif

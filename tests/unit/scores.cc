@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Measures, windows, reference curves and messages of scores.
+#include <seiche/parameters/input_file.h>
+#include <seiche/postprocess/scores.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+  /// Column "front [m]" = 1 + t^2 at t = 0, 0.1, ..., 1; the pressure time is
+  /// half a step earlier; step 4 has no value of "point [m]".
+  seiche::StatisticsTable
+  make_statistics()
+  {
+    seiche::StatisticsTable table("");
+    for (unsigned int step = 0; step <= 10; ++step)
+      {
+        const double t = 0.1 * step;
+        table.set("time [s]", t);
+        table.set("dt [s]", step == 0 ? 0. : 0.1);
+        table.set("pressure_time [s]", step == 0 ? 0. : t - 0.05);
+        table.set("front [m]", 1. + t * t);
+        table.set("point [m]", step == 4 ? std::nan("") : 2.);
+        table.end_row();
+      }
+    return table;
+  }
+
+  /// Score of a run by entries "A = b; C = d" of the subsection.
+  void
+  score(const std::string &title, std::string entries)
+  {
+    for (char &c : entries)
+      if (c == ';')
+        c = '\n';
+    std::ofstream("score.prm") << "subsection Score s\n"
+                               << entries << "\nend\n";
+    try
+      {
+        const seiche::InputFile  input("score.prm", {});
+        seiche::ScoreParameters  parameters;
+        dealii::ParameterHandler prm;
+        parameters.name = "s";
+        prm.enter_subsection("Score s");
+        parameters.add_parameters(prm);
+        prm.leave_subsection();
+        input.parse_into(prm);
+        const auto statistics = make_statistics();
+        parameters.check(input, statistics.names());
+        std::string warning;
+        const auto  value =
+          seiche::Score(parameters, input).evaluate(statistics, warning);
+        std::cout << title << ": ";
+        if (value)
+          std::cout << std::setprecision(10) << *value << std::endl;
+        else
+          std::cout << "none, " << warning << std::endl;
+      }
+    catch (const seiche::InputError &error)
+      {
+        std::cout << title << " -> " << error.what() << std::endl;
+      }
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  // 1 + t^2 in other units: time in ms, value in cm
+  std::ofstream curve("curve.csv");
+  curve << "# a comment\nname,t [ms],x [cm]\n";
+  for (unsigned int i = 0; i <= 4; ++i)
+    curve << "a," << 250 * i << ',' << 100. * (1. + i * i / 16.) << '\n';
+  curve << "short,,\n";
+  curve.close();
+  std::ofstream("broken.csv") << "t,x\n0,1\n0.1,one\n";
+  std::ofstream("backward.csv") << "t,x\n0,1\n0.2,1\n0.1,1\n";
+  std::ofstream("headless.csv") << "0,1\n0.1,1\n";
+
+  const std::string front = "Column = front [m];";
+  const std::string table =
+    "Reference table = curve.csv; Table columns = 1, 2; "
+    "Table factors = 1e-3, 1e-2;";
+
+  score("exact reference", front + "Reference = 1 + t^2");
+  score("rms about one", front + "Reference = 1");
+  score("mean", front + "Measure = mean; Reference = 1; From = 0.5");
+  score("mean absolute", front + "Measure = mean absolute; Reference = 2");
+  score("maximum", front + "Measure = maximum; Reference = 2; Scale = 2");
+  score("last, relative",
+        front + "Measure = last; Reference = 4; Relative = true");
+  score("window", front + "Measure = last; From = 0.2; To = 0.3");
+  score("times", front + "Measure = maximum; Times = 0.1, 0.25; Reference = 1");
+  score("late time", front + "Times = 0.1, 1.5");
+  score("empty window", front + "From = 3");
+  score("start only", front + "To = 0.05");
+  score("pressure time",
+        front + "Measure = last; Time column = pressure_time; Reference = t");
+  score("missing value", "Column = point [m]; Measure = mean");
+  score("reference zero", front + "Relative = true; Reference = t");
+  score("linear table", front + "Measure = maximum;" + table);
+  score("spline table",
+        front + "Measure = maximum; Interpolation = spline;" + table);
+
+  score("unknown column", "Column = fornt [m]");
+  score("no column", "Measure = rms");
+  score("missing table", front + "Reference table = none.csv");
+  score("broken table", front + "Reference table = broken.csv");
+  score("backward table", front + "Reference table = backward.csv");
+  score("headless table", front + "Reference table = headless.csv");
+  score("short table",
+        front + "Reference table = headless.csv; Interpolation = spline");
+  score("no such column",
+        front + "Reference table = curve.csv; Table columns = 0, 3");
+  score("two references", front + "Reference = 1; Reference table = curve.csv");
+}
