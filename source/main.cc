@@ -86,7 +86,9 @@ main(int argc, char **argv)
 {
   // a limit of the file size shall be an error of write(), not a signal
   std::signal(SIGXFSZ, SIG_IGN);
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // the options are ours: PETSc, which deal.II starts, would complain of them
+  int                                      only_the_name = 1;
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(only_the_name, argv, 1);
 
   MPI_Comm failures = MPI_COMM_NULL; // no other message may come between
   MPI_Comm_dup(MPI_COMM_WORLD, &failures);

@@ -61,7 +61,8 @@ namespace seiche
     }
 
     /// ` >= 0`, ` between 0 and 1` or nothing for limits as deal.II prints
-    /// them; its largest numbers mean that there is no limit.
+    /// them; its largest numbers mean that there is no limit, a tiny lower one
+    /// that zero is excluded.
     std::string
     range_in_words(const std::string &lower, const std::string &upper)
     {
@@ -69,6 +70,11 @@ namespace seiche
         !(lower == "-MAX_DOUBLE" || lower == "-2147483648");
       const bool has_upper = !(upper == "MAX_DOUBLE" || upper == "2147483647" ||
                                upper == "4294967295");
+      const bool positive  = has_lower &&
+                            lower.find("e-") != std::string::npos &&
+                            std::stod(lower) > 0. && std::stod(lower) < 1e-30;
+      if (positive)
+        return " > 0" + (has_upper ? " and <= " + upper : "");
       if (has_lower && has_upper)
         return " between " + lower + " and " + upper;
       if (has_lower)

@@ -179,7 +179,7 @@ namespace seiche
   bool
   InputFile::is_set(const std::string &path) const
   {
-    return !value(path).empty();
+    return !value(path).empty() && entries_at_default.count(path) == 0;
   }
 
 
@@ -232,6 +232,8 @@ namespace seiche
           {
             const std::string &value   = text.entries.at(path).value;
             const std::string  problem = parse_entry(prm, declaration, value);
+            if (value == declaration.default_value && !declaration.mandatory)
+              entries_at_default.insert(path);
             if (!problem.empty())
               problems.push_back(origin(path) + ": " + entry_in_words(path) +
                                  " = " + value + ": " + problem);

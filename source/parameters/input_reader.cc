@@ -326,15 +326,19 @@ namespace seiche
     std::map<std::string, std::string> given;
     for (const std::string &override_text : overrides)
       {
-        const std::string        origin = "--set \"" + override_text + "\"";
-        const std::size_t        equals = override_text.find('=');
+        const std::string        origin    = "--set \"" + override_text + "\"";
+        const std::size_t        equals    = override_text.find('=');
+        const std::string        path_text = override_text.substr(0, equals);
         std::vector<std::string> names;
-        if (equals != std::string::npos)
-          names = dealii::Utilities::split_string_list(
-            override_text.substr(0, equals), '/');
-        bool complete = !names.empty();
-        for (const std::string &name : names)
-          complete = complete && !name.empty();
+        bool                     complete = (equals != std::string::npos);
+        for (std::size_t begin = 0; begin <= path_text.size();)
+          {
+            const std::size_t end =
+              std::min(path_text.find('/', begin), path_text.size());
+            names.push_back(trim(path_text.substr(begin, end - begin)));
+            complete = complete && !names.back().empty();
+            begin    = end + 1;
+          }
         if (!complete)
           throw InputError(origin +
                            ": write --set \"Subsection/Entry = value\".");

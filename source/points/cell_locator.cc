@@ -79,8 +79,8 @@ namespace seiche
   void
   CellLocator<dim>::make_lines()
   {
-    finest_level   = std::max(grid.lattice_level(),
-                            grid.triangulation.n_global_levels() - 1);
+    finest_level =
+      std::max(grid.lattice_level(), grid.triangulation.n_global_levels() - 1);
     obstacle_shift = finest_level - grid.lattice_level();
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -139,9 +139,9 @@ namespace seiche
     iterators.push_back(cell);
     boundary_ids.emplace_back();
     for (const unsigned int face : cell->face_indices())
-      boundary_ids.back()[face] =
-        cell->at_boundary(face) ? cell->face(face)->boundary_id() :
-                                  dealii::numbers::internal_face_boundary_id;
+      boundary_ids.back()[face] = cell->at_boundary(face) ?
+                                    cell->face(face)->boundary_id() :
+                                    dealii::numbers::internal_face_boundary_id;
   }
 
 
@@ -174,9 +174,9 @@ namespace seiche
     while (s + 1 < segments.size() && x >= segments[s].end)
       ++s;
     const Segment &segment = segments[s];
-    unsigned int   i       = segment.first +
-                     static_cast<unsigned int>((x - segment.begin) *
-                                               segment.inverse_size);
+    unsigned int   i =
+      segment.first +
+      static_cast<unsigned int>((x - segment.begin) * segment.inverse_size);
     // the quotient is off by round-off; the lines decide
     i = std::min<unsigned int>(i, places.size() - 2);
     if (x < places[i])
@@ -229,7 +229,8 @@ namespace seiche
   CellLocator<dim>::covers(const unsigned int cell, const Lattice &index) const
   {
     for (unsigned int d = 0; d < dim; ++d)
-      if (index[d] < lattice_lower[cell][d] || index[d] >= lattice_upper[cell][d])
+      if (index[d] < lattice_lower[cell][d] ||
+          index[d] >= lattice_upper[cell][d])
         return false;
     return true;
   }
@@ -241,11 +242,12 @@ namespace seiche
   CellLocator<dim>::search(const Lattice &index) const
   {
     const std::uint64_t key = morton_key<dim>(index);
-    auto                it  = std::upper_bound(
-      by_key.begin(),
-      by_key.end(),
-      key,
-      [](const std::uint64_t k, const auto &entry) { return k < entry.first; });
+    auto                it  = std::upper_bound(by_key.begin(),
+                               by_key.end(),
+                               key,
+                               [](const std::uint64_t k, const auto &entry) {
+                                 return k < entry.first;
+                               });
     if (it == by_key.begin())
       return invalid;
     --it;
@@ -296,9 +298,8 @@ namespace seiche
         const std::vector<double> &places = lines[d].places;
         const double               inside =
           std::min(std::max(x[d], places.front()), places.back());
-        const unsigned int i         = lines[d].index(inside);
-        const double       tolerance = wall_tolerance *
-                                 (places[i + 1] - places[i]);
+        const unsigned int i   = lines[d].index(inside);
+        const double tolerance = wall_tolerance * (places[i + 1] - places[i]);
         if (!(std::abs(x[d] - inside) <= tolerance))
           return invalid; // also for NaN
         candidates[d][0] = i;

@@ -22,7 +22,7 @@ namespace seiche
       void
       serialize(Archive &archive, const unsigned int /*version*/)
       {
-        archive &ids    &values;
+        archive &ids &values;
       }
     };
   } // namespace

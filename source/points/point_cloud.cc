@@ -32,8 +32,9 @@ namespace seiche
     unsigned int n_arrays = 0;
     for (const PointColumnInfo &info : point_column_table)
       {
-        unsigned int &first = first_array[static_cast<unsigned int>(info.column)];
-        first               = invalid;
+        unsigned int &first =
+          first_array[static_cast<unsigned int>(info.column)];
+        first = invalid;
         if (always_present.count(info.column) + columns.count(info.column) > 0)
           {
             first = n_arrays;
@@ -57,8 +58,7 @@ namespace seiche
 
   template <int dim>
   double *
-  PointCloud<dim>::data(const PointColumn  column,
-                        const unsigned int component)
+  PointCloud<dim>::data(const PointColumn column, const unsigned int component)
   {
     Assert(has(column), dealii::ExcMessage("The points lack this column."));
     AssertIndexRange(component, n_components(column, dim));
@@ -175,8 +175,8 @@ namespace seiche
   void
   PointCloud<dim>::judge_outside(const std::size_t point, Census &census) const
   {
-    const auto        wall   = locator.wall_beyond(position(point));
-    const bool        inside = wall == dealii::numbers::internal_face_boundary_id;
+    const auto wall   = locator.wall_beyond(position(point));
+    const bool inside = wall == dealii::numbers::internal_face_boundary_id;
     const std::string reason =
       inside ? "it is not in a cell next to its last one" :
                "it is beyond the wall \"" + locator.grid.wall_name(wall) + "\"";
@@ -207,7 +207,8 @@ namespace seiche
     for (unsigned int d = 0; d < dim; ++d)
       {
         const double v = data(PointColumn::velocity, d)[point];
-        place += fmt::format("{}{:.6g}", d == 0 ? "" : ", ", position(point)[d]);
+        place +=
+          fmt::format("{}{:.6g}", d == 0 ? "" : ", ", position(point)[d]);
         speed += v * v;
         if (point_cells[point] != invalid)
           last_cell +=
@@ -234,20 +235,19 @@ namespace seiche
   PointCloud<dim>::account(const Census &census)
   {
     // exact in double up to 2^53 points
-    std::array<double, 5> sums = {{double(census.n_before),
-                                   double(size()),
-                                   double(census.n_outflow),
-                                   double(census.n_lost),
-                                   census.outflow_mass}};
+    std::array<double, 5> sums   = {{double(census.n_before),
+                                     double(size()),
+                                     double(census.n_outflow),
+                                     double(census.n_lost),
+                                     census.outflow_mass}};
     std::string           report = census.lost_report;
     if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
       {
         const std::array<double, 5> own = sums;
-        dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(own.data(),
-                                                                    own.size()),
-                                    communicator,
-                                    dealii::ArrayView<double>(sums.data(),
-                                                              sums.size()));
+        dealii::Utilities::MPI::sum(
+          dealii::ArrayView<const double>(own.data(), own.size()),
+          communicator,
+          dealii::ArrayView<double>(sums.data(), sums.size()));
         if (sums[3] > 0.)
           for (const std::string &text :
                dealii::Utilities::MPI::all_gather(communicator, report))

@@ -105,13 +105,12 @@ namespace seiche
           made.region = body.make_region(input, domain);
           // a place inside the body's box: the corner of the domain may be
           // a singular point of the velocity
-          made.velocity =
-            std::make_unique<Expression<dim>>(input,
-                                              body.path("Velocity"),
-                                              body.velocity,
-                                              dim,
-                                              made.region->bounding_box()
-                                                .center());
+          made.velocity = std::make_unique<Expression<dim>>(
+            input,
+            body.path("Velocity"),
+            body.velocity,
+            dim,
+            made.region->bounding_box().center());
           result.push_back(std::move(made));
         }
       return result;
@@ -302,9 +301,10 @@ namespace seiche
         const std::size_t n_before = points.size();
         for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
           seeder.fill(b, cell);
-        const std::uint64_t n_added = dealii::Utilities::MPI::sum(
-          static_cast<std::uint64_t>(points.size() - n_before),
-          points.communicator);
+        const std::uint64_t n_added =
+          dealii::Utilities::MPI::sum(static_cast<std::uint64_t>(points.size() -
+                                                                 n_before),
+                                      points.communicator);
         input.require(n_added > 0,
                       bodies[b].path("Shape"),
                       "the body holds no material point: it is smaller than "
@@ -315,8 +315,8 @@ namespace seiche
     SeedingResult result;
     result.n_points = points.n_global();
     result.half_spacing =
-      0.5 * dealii::Utilities::MPI::min(seeder.smallest_spacing,
-                                        points.communicator);
+      0.5 *
+      dealii::Utilities::MPI::min(seeder.smallest_spacing, points.communicator);
     return result;
   }
 

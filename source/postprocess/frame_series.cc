@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/field_patches.h>
 #include <seiche/postprocess/frame_series.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/exceptions.h>
 
-#include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 
 #include <fmt/format.h>
@@ -64,23 +64,34 @@ namespace seiche
         Utilities::MPI::broadcast(communicator, failure, first_failed));
   }
 
+  template <int patch_dim, int dim>
   void
-  FrameSeries::write_vtu(
-    const double                               time,
-    const std::function<void(std::ostream &)> &piece,
-    const std::function<void(std::ostream &, const std::vector<std::string> &)>
-      &record)
+  FrameSeries::write_vtu(const double                        time,
+                         const FieldPatches<patch_dim, dim> &data)
   {
     const unsigned int n    = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
     const std::string  path = settings.directory + "/";
     const std::string  stem = next_name();
 
+    // VTK refuses a piece without cells: only ranks with data write one
+    const std::vector<int> filled =
+      Utilities::MPI::all_gather(communicator, data.patches.empty() ? 0 : 1);
     std::vector<std::string> pieces;
+    std::string              own_piece;
     for (unsigned int r = 0; r < n; ++r)
-      pieces.push_back(n == 1 ? stem + ".vtu" :
-                                fmt::format("{}.{:04d}.vtu", stem, r));
-    on_all_ranks([&]() { checked_file::write(path + pieces[rank], piece); });
+      if (filled[r] || n == 1)
+        {
+          pieces.push_back(n == 1 ? stem + ".vtu" :
+                                    fmt::format("{}.{:04d}.vtu", stem, r));
+          if (r == rank)
+            own_piece = path + pieces.back();
+        }
+    on_all_ranks([&]() {
+      if (!own_piece.empty())
+        checked_file::write(own_piece,
+                            [&](std::ostream &out) { data.write_vtu(out); });
+    });
 
     // the index names only what is complete on the disk
     index.emplace_back(time, n == 1 ? pieces[0] : stem + ".pvtu");
@@ -88,8 +99,9 @@ namespace seiche
       if (rank > 0)
         return;
       if (n > 1)
-        checked_file::write(path + stem + ".pvtu",
-                            [&](std::ostream &out) { record(out, pieces); });
+        checked_file::write(path + stem + ".pvtu", [&](std::ostream &out) {
+          data.write_pvtu_record(out, pieces);
+        });
       checked_file::write(path + name + ".pvd", [&](std::ostream &out) {
         DataOutBase::write_pvd_record(out, index);
       });
@@ -108,4 +120,13 @@ namespace seiche
         checked_file::write(file, fill);
     });
   }
+
+  template void
+  FrameSeries::write_vtu(const double, const FieldPatches<0, 2> &);
+  template void
+  FrameSeries::write_vtu(const double, const FieldPatches<0, 3> &);
+  template void
+  FrameSeries::write_vtu(const double, const FieldPatches<2, 2> &);
+  template void
+  FrameSeries::write_vtu(const double, const FieldPatches<3, 3> &);
 } // namespace seiche

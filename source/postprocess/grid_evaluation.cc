@@ -75,15 +75,15 @@ namespace seiche
           clamp(Point<dim>(x - theta * vector_value(view.state.displacement())),
                 box.lower_corner,
                 box.upper_corner);
-        if (is_close(next, xi, locator.extent(cell)))
-          break;
         const unsigned int next_cell = locator.find(next, cell);
         // into an obstacle or beyond what this rank knows: stay
         if (next_cell == CellLocator<dim>::invalid ||
             !occupancy.is_active(next_cell))
           break;
+        reinit(next_cell, locator.to_unit(next_cell, next));
+        if (is_close(next, xi, locator.extent(cell)))
+          break;
         xi = next;
-        reinit(next_cell, locator.to_unit(next_cell, xi));
       }
     return occupancy.is_occupied(cell);
   }
@@ -106,10 +106,10 @@ namespace seiche
           clamp(Point<dim>(x - theta * vector_value(view.state.displacement())),
                 lower,
                 upper);
+        reinit(cell, locator.to_unit(cell, next));
         if (is_close(next, xi, locator.extent(cell)))
           break;
         xi = next;
-        reinit(cell, locator.to_unit(cell, xi));
       }
   }
 

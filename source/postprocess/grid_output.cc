@@ -4,6 +4,8 @@
 
 #include <deal.II/base/geometry_info.h>
 
+#include <deal.II/grid/reference_cell.h>
+
 namespace seiche
 {
   using namespace dealii;
@@ -38,6 +40,7 @@ namespace seiche
           const unsigned int       n     = GeometryInfo<dim>::vertices_per_cell;
           patch.patch_index              = k;
           patch.n_subdivisions           = 1;
+          patch.reference_cell           = ReferenceCells::get_hypercube<dim>();
           patch.data.reinit(grid.n_rows(), n);
           // vertices come first in deal.II's numbering of every FE_Q
           for (unsigned int v = 0; v < n; ++v)
@@ -80,15 +83,8 @@ namespace seiche
   GridOutput<dim>::execute(const StepView<dim> &view,
                            StatisticsTable & /*statistics*/)
   {
-    if (!series.due(view.time))
-      return;
-    const auto patches = make_patches(view, pressure->field(view));
-    series.write_vtu(
-      view.time,
-      [&](std::ostream &out) { patches.write_vtu(out); },
-      [&](std::ostream &out, const std::vector<std::string> &pieces) {
-        patches.write_pvtu_record(out, pieces);
-      });
+    if (series.due(view.time))
+      series.write_vtu(view.time, make_patches(view, pressure->field(view)));
   }
 
   template class GridOutput<2>;

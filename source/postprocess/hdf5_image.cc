@@ -126,12 +126,16 @@ namespace seiche
       check(H5Screate_simple(columns > 1 ? 2 : 1, size, nullptr),
             "size dataset " + dataset),
       H5Sclose);
+    // the same data make the same bytes: no time stamps
+    const Handle creation(check(H5Pcreate(H5P_DATASET_CREATE), "set up"),
+                          H5Pclose);
+    check(H5Pset_obj_track_times(creation.id, false), "set up");
     const Handle handle(check(H5Dcreate2(file,
                                          dataset.c_str(),
                                          file_type,
                                          space.id,
                                          H5P_DEFAULT,
-                                         H5P_DEFAULT,
+                                         creation.id,
                                          H5P_DEFAULT),
                               "make dataset " + dataset),
                         H5Dclose);

@@ -59,15 +59,8 @@ namespace seiche
   PointOutput<dim>::execute(const StepView<dim> &view,
                             StatisticsTable & /*statistics*/)
   {
-    if (!series.due(view.time))
-      return;
-    const auto patches = make_patches(view);
-    series.write_vtu(
-      view.time,
-      [&](std::ostream &out) { patches.write_vtu(out); },
-      [&](std::ostream &out, const std::vector<std::string> &pieces) {
-        patches.write_pvtu_record(out, pieces);
-      });
+    if (series.due(view.time))
+      series.write_vtu(view.time, make_patches(view));
   }
 
   template class PointOutput<2>;

@@ -84,7 +84,11 @@ namespace seiche
           }
         if (nearest > Utilities::MPI::min(nearest, communicator))
           id = std::numeric_limits<std::uint64_t>::max();
-        ids.push_back(Utilities::MPI::min(id, communicator));
+        // not MPI::min(): Open MPI 4.1 compares unsigned 64-bit numbers as if
+        // they were signed
+        const std::vector<std::uint64_t> candidates =
+          Utilities::MPI::all_gather(communicator, id);
+        ids.push_back(*std::min_element(candidates.begin(), candidates.end()));
       }
     last_index.assign(tracks.size(), 0);
     start_radius.assign(tracks.size(), 0.);

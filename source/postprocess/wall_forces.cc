@@ -50,7 +50,7 @@ namespace seiche
                         std::string(dim == 3 ? "front, back, " : "") +
                         "bottom, top) and names of obstacles whose forces "
                         "are added.",
-                      Patterns::List(Patterns::Anything(), 1),
+                      Patterns::List(Patterns::Anything()),
                       /*has_to_be_set=*/true);
     prm.add_parameter("Reference point",
                       reference_point,
@@ -64,6 +64,10 @@ namespace seiche
   {
     const std::vector<std::string> known = wall_names(grid);
     const std::string path = std::string(kind) + " " + name + "/Walls";
+    input.require(!walls.empty(),
+                  path,
+                  "at least one wall is needed. Walls are " +
+                    quoted_list(known) + ".");
     for (auto wall = walls.begin(); wall != walls.end(); ++wall)
       {
         const std::string hint = nearest_hint(*wall, known);

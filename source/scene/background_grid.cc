@@ -17,7 +17,8 @@ namespace seiche
     void
     insert_line(std::vector<GridSegment> &segments, const double place)
     {
-      for (auto segment = segments.begin(); segment != segments.end(); ++segment)
+      for (auto segment = segments.begin(); segment != segments.end();
+           ++segment)
         {
           const double size = (segment->end - segment->begin) / segment->cells;
           if (place <= segment->begin + 1e-9 * size)
@@ -73,8 +74,8 @@ namespace seiche
           if (place < segment.end - 0.5 * size)
             {
               const double offset = (place - segment.begin) / size;
-              return segment.first +
-                     static_cast<unsigned int>(std::lround(std::max(offset, 0.)));
+              return segment.first + static_cast<unsigned int>(
+                                       std::lround(std::max(offset, 0.)));
             }
         }
       return segments.back().first + segments.back().cells;
@@ -119,8 +120,9 @@ namespace seiche
 
 
   template <int dim>
-  BackgroundGrid<dim>::BackgroundGrid(const GridParameters<dim> &grid_parameters,
-                                      MPI_Comm                   communicator)
+  BackgroundGrid<dim>::BackgroundGrid(
+    const GridParameters<dim> &grid_parameters,
+    MPI_Comm                   communicator)
     : parameters(grid_parameters)
     , triangulation(communicator)
   {
@@ -132,10 +134,8 @@ namespace seiche
         LatticeBox box;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            box.first[d] =
-              index_of_line(lattice[d], obstacle.lower_corner[d]);
-            box.second[d] =
-              index_of_line(lattice[d], obstacle.upper_corner[d]);
+            box.first[d]  = index_of_line(lattice[d], obstacle.lower_corner[d]);
+            box.second[d] = index_of_line(lattice[d], obstacle.upper_corner[d]);
           }
         obstacle_boxes.push_back(box);
       }
@@ -150,8 +150,8 @@ namespace seiche
   void
   BackgroundGrid<dim>::make_coarse_cells()
   {
-    std::vector<std::vector<double>>  spacings(dim);
-    dealii::TableIndices<dim>         sizes;
+    std::vector<std::vector<double>> spacings(dim);
+    dealii::TableIndices<dim>        sizes;
     for (unsigned int d = 0; d < dim; ++d)
       {
         for (const Segment &segment : lattice[d])
@@ -205,11 +205,10 @@ namespace seiche
             continue;
           const unsigned int       direction = face / 2;
           const dealii::Point<dim> centre    = cell->face(face)->center();
-          const double             tolerance =
-            1e-6 * cell->extent_in_direction(direction);
-          const double side = face % 2 == 0 ?
-                                parameters.lower_corner[direction] :
-                                parameters.upper_corner[direction];
+          const double tolerance = 1e-6 * cell->extent_in_direction(direction);
+          const double side      = face % 2 == 0 ?
+                                     parameters.lower_corner[direction] :
+                                     parameters.upper_corner[direction];
           dealii::types::boundary_id id = face;
           if (std::abs(centre[direction] - side) > tolerance)
             {

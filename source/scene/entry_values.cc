@@ -27,8 +27,8 @@ namespace seiche
           std::string word = text.substr(begin, end - begin);
           if (word.size() > 1 && word[0] == '+')
             word.erase(0, 1); // from_chars knows no plus sign
-          double      value = 0.;
-          const char *last  = word.data() + word.size();
+          double      value  = 0.;
+          const char *last   = word.data() + word.size();
           const auto  parsed = std::from_chars(word.data(), last, value);
           input.require(parsed.ec == std::errc() && parsed.ptr == last &&
                           std::isfinite(value),
@@ -52,7 +52,7 @@ namespace seiche
       const std::vector<double> list = numbers(input, path, text);
       input.require(list.size() == 1,
                     path,
-                    fmt::format("{} numbers given; exactly one is needed.",
+                    fmt::format("{} number(s) given; exactly one is needed.",
                                 list.size()));
       return list[0];
     }
@@ -87,7 +87,7 @@ namespace seiche
       const std::vector<double> list = numbers(input, path, text);
       input.require(list.size() == dim,
                     path,
-                    fmt::format("{} numbers given; {} are needed because "
+                    fmt::format("{} number(s) given; {} needed because "
                                 "\"Dimension\" is {}.",
                                 list.size(),
                                 dim,

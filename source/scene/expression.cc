@@ -147,9 +147,12 @@ namespace seiche
         const std::string all   = text.str();
         const std::size_t begin = all.find('<');
         const std::size_t end   = all.find(">\n");
-        return begin < end && end != std::string::npos ?
-                 all.substr(begin + 1, end - begin - 1) :
-                 "not a valid expression.";
+        if (end == std::string::npos || begin >= end)
+          return "not a valid expression";
+        std::string result = all.substr(begin + 1, end - begin - 1);
+        while (!result.empty() && result.back() == '.')
+          result.pop_back();
+        return result;
       }
 
     private:
@@ -172,19 +175,21 @@ namespace seiche
     std::set<std::string> names;
     const std::string     problem = find_problem(text, names);
     input->require(problem.empty(), path, problem);
+    input->require(text.find_first_not_of(" \t") != std::string::npos,
+                   path,
+                   "an expression is needed.");
 
-    const unsigned int n_given =
-      1 + std::count(text.begin(), text.end(), ';');
+    const unsigned int n_given = 1 + std::count(text.begin(), text.end(), ';');
     input->require(n_given == n_components,
-                  path,
-                  fmt::format("{} component(s) given, {} needed, separated "
-                              "by \";\".",
-                              n_given,
-                              n_components));
+                   path,
+                   fmt::format("{} component(s) given, {} needed, separated "
+                               "by \";\".",
+                               n_given,
+                               n_components));
     input->require(dim == 3 || names.count("z") == 0,
-                  path,
-                  "z does not exist because \"Dimension\" is 2; allowed are "
-                  "x, y, t.");
+                   path,
+                   "z does not exist because \"Dimension\" is 2; allowed are "
+                   "x, y, t.");
 
     with_time = names.count("t") != 0;
     constant  = !with_time && names.count("x") == 0 && names.count("y") == 0 &&

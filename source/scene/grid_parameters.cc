@@ -204,7 +204,7 @@ namespace seiche
     else
       input.require(cells[direction].size() == n_segments,
                     cells_path,
-                    fmt::format("{} numbers given; {} are needed, one for "
+                    fmt::format("{} number(s) given; {} needed, one for "
                                 "each segment between break points.",
                                 cells[direction].size(),
                                 n_segments));
@@ -217,11 +217,11 @@ namespace seiche
   GridParameters<dim>::check_obstacle(const InputFile   &input,
                                       const unsigned int index)
   {
-    const ObstacleText &text  = obstacles_text[index];
-    const std::string   path  = "Obstacle " + text.name + "/";
-    Obstacle           &here  = obstacles[index];
-    here.name                 = text.name;
-    here.condition            = wall_condition_from_string(text.condition);
+    const ObstacleText &text = obstacles_text[index];
+    const std::string   path = "Obstacle " + text.name + "/";
+    Obstacle           &here = obstacles[index];
+    here.name                = text.name;
+    here.condition           = wall_condition_from_string(text.condition);
     here.lower_corner =
       entry_values::point<dim>(input, path + "Lower corner", text.lower);
     here.upper_corner =
@@ -230,8 +230,7 @@ namespace seiche
     bool fills_domain = true;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const double tolerance =
-          1e-9 * (upper_corner[d] - lower_corner[d]);
+        const double tolerance = 1e-9 * (upper_corner[d] - lower_corner[d]);
         input.require(here.lower_corner[d] >= lower_corner[d] - tolerance,
                       path + "Lower corner",
                       "the obstacle reaches out of the domain.");
@@ -242,9 +241,9 @@ namespace seiche
                       path + "Upper corner",
                       "must be greater than \"Lower corner\" in every "
                       "direction.");
-        fills_domain =
-          fills_domain && here.lower_corner[d] <= lower_corner[d] + tolerance &&
-          here.upper_corner[d] >= upper_corner[d] - tolerance;
+        fills_domain = fills_domain &&
+                       here.lower_corner[d] <= lower_corner[d] + tolerance &&
+                       here.upper_corner[d] >= upper_corner[d] - tolerance;
       }
     input.require(!fills_domain,
                   path + "Upper corner",

@@ -196,7 +196,7 @@ namespace seiche
         entry_values::numbers(input, path, text);
       input.require(numbers.size() >= 6 && numbers.size() % 2 == 0,
                     path,
-                    fmt::format("{} numbers given; at least three vertices "
+                    fmt::format("{} number(s) given; at least three vertices "
                                 "\"x y, x y, ...\" are needed.",
                                 numbers.size()));
       PolygonRegion::Polygon polygon;
@@ -263,8 +263,7 @@ namespace seiche
   {
     template <int dim>
     std::unique_ptr<Region<dim>>
-    make_box(const InputFile                &input,
-             const FluidBodyParameters<dim> &body)
+    make_box(const InputFile &input, const FluidBodyParameters<dim> &body)
     {
       const auto lower = entry_values::point<dim>(input,
                                                   body.path("Lower corner"),
@@ -284,8 +283,7 @@ namespace seiche
 
     template <int dim>
     std::unique_ptr<Region<dim>>
-    make_ellipsoid(const InputFile                &input,
-                   const FluidBodyParameters<dim> &body)
+    make_ellipsoid(const InputFile &input, const FluidBodyParameters<dim> &body)
     {
       const auto centre =
         entry_values::point<dim>(input, body.path("Centre"), body.centre_text);
@@ -318,7 +316,7 @@ namespace seiche
     {
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const double tolerance = 1e-10 * domain.side_length(d);
+          const double      tolerance = 1e-10 * domain.side_length(d);
           const std::string size =
             body.shape == "box" ?
               (box.lower_bound(d) < domain.lower_bound(d) - tolerance ?

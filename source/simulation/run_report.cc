@@ -140,7 +140,7 @@ namespace seiche
     if (!speaks)
       return;
     const double now   = wall_clock();
-    const double share = std::min(1., time / options.end_time);
+    const double share = time < options.end_time ? time / options.end_time : 1.;
 
     // simulated seconds per wall second, averaged over some 20 steps
     const double new_rate =

@@ -55,7 +55,9 @@ namespace seiche
              matrix,
              linear_solver)
     , time_stepper(scene.time)
-    , statistics(directory + "/statistics.csv")
+    , statistics(Utilities::MPI::this_mpi_process(communicator) == 0 ?
+                   directory + "/statistics.csv" :
+                   std::string())
   {
     scene.postprocessors.check(grid);
   }
@@ -146,6 +148,7 @@ namespace seiche
   Simulation<dim>::try_step()
   {
     last = NewtonResult();
+    linear_solver.begin_step();
     if (formulation->has_pressure() &&
         (scene.time.projects_each_step() || time_stepper.steps() == 0))
       {

@@ -18,12 +18,18 @@ namespace seiche
     /// Above this ratio of stiffness to inertia A is no mass matrix any more.
     constexpr double mass_dominated_below = 4.;
 
+    /// A solve with more iterations than this calls for ILU(0) in 3D too.
+    constexpr unsigned int slow_solve = 30;
+
     /// A shift that makes the singular Laplacian of a closed box definite.
     constexpr double closed_shift = 1e-7;
 
+    /// Largest row sum of |D^-1 A|.
     double
     gershgorin_bound(const Epetra_CrsMatrix &matrix)
     {
+      Epetra_Vector diagonal(matrix.RowMap());
+      matrix.ExtractDiagonalCopy(diagonal);
       double local = 0.;
       for (int i = 0; i < matrix.NumMyRows(); ++i)
         {
@@ -31,14 +37,10 @@ namespace seiche
           double *values;
           int    *columns;
           matrix.ExtractMyRowView(i, n, values, columns);
-          double sum = 0., diagonal = 0.;
+          double sum = 0.;
           for (int k = 0; k < n; ++k)
-            {
-              sum += std::abs(values[k]);
-              if (matrix.GCID(columns[k]) == matrix.GRID(i))
-                diagonal = std::abs(values[k]);
-            }
-          local = std::max(local, sum / diagonal);
+            sum += std::abs(values[k]);
+          local = std::max(local, sum / std::abs(diagonal[i]));
         }
       double global = 0.;
       matrix.Comm().MaxAll(&local, &global, 1);
@@ -51,6 +53,23 @@ namespace seiche
   BlockPreconditioner<dim>::force_setup()
   {
     schur_amg.reset();
+    velocity_generation = 0;
+  }
+
+  template <int dim>
+  void
+  BlockPreconditioner<dim>::begin_step()
+  {
+    schur_amg.reset();
+    velocity_generation = 0;
+  }
+
+  template <int dim>
+  void
+  BlockPreconditioner<dim>::report(const unsigned int iterations)
+  {
+    if (iterations > slow_solve)
+      use_ilu = true;
   }
 
   template <int dim>
@@ -72,7 +91,8 @@ namespace seiche
     const double bulk =
       matrix->has_pressure() ? assembler.reference_tau(h).continuity :
                                material.bulk_modulus;
-    initialize_velocity((2. * viscosity * c.rate + bulk) / (inertia * h * h));
+    initialize_velocity((2. * viscosity * c.rate + bulk) / (inertia * h * h),
+                        c.inertia);
     if (!matrix->has_pressure())
       return;
 
@@ -88,38 +108,80 @@ namespace seiche
 
   template <int dim>
   void
-  BlockPreconditioner<dim>::initialize_velocity(const double stiffness)
+  BlockPreconditioner<dim>::initialize_velocity(const double stiffness,
+                                                const double inertia)
+  {
+    velocity_factor = 1.;
+    if (stiffness < mass_dominated_below && !use_ilu)
+      {
+        ilu.reset();
+        velocity_amg.reset();
+        make_chebyshev(); // cheap: nothing to keep
+        return;
+      }
+    if (velocity_generation == matrix->generation())
+      {
+        velocity_factor = velocity_inertia / inertia;
+        return;
+      }
+    chebyshev.reset();
+    ilu.reset();
+    velocity_amg.reset();
+    if (stiffness < mass_dominated_below)
+      make_ilu();
+    else
+      make_velocity_amg();
+    velocity_generation = matrix->generation();
+    velocity_inertia    = inertia;
+  }
+
+  template <int dim>
+  void
+  BlockPreconditioner<dim>::make_chebyshev()
   {
     const Epetra_CrsMatrix &A = matrix->block(BlockMatrix<dim>::uu);
-    if (stiffness < mass_dominated_below)
-      {
-        velocity_amg.reset();
-        chebyshev = std::make_unique<Ifpack_Chebyshev>(&A);
-        Teuchos::ParameterList list;
-        const double           largest = gershgorin_bound(A);
-        list.set("chebyshev: degree", static_cast<int>(chebyshev_degree));
-        list.set("chebyshev: max eigenvalue", largest);
-        list.set("chebyshev: ratio eigenvalue", chebyshev_ratio);
-        list.set("chebyshev: min eigenvalue", largest / chebyshev_ratio);
-        list.set("chebyshev: zero starting solution", true);
-        chebyshev->SetParameters(list);
-        chebyshev->Initialize();
-        chebyshev->Compute();
-      }
-    else
-      {
-        chebyshev.reset();
-        TrilinosWrappers::PreconditionAMG::AdditionalData data;
-        data.elliptic              = true;
-        data.smoother_sweeps       = 2;
-        data.aggregation_threshold = 1e-4;
-        const unsigned int n       = A.NumMyRows();
-        data.constant_modes.assign(dim, std::vector<bool>(n, false));
-        for (unsigned int i = 0; i < n; ++i)
-          data.constant_modes[i % dim][i] = true;
-        velocity_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
-        velocity_amg->initialize(A, data);
-      }
+    chebyshev                 = std::make_unique<Ifpack_Chebyshev>(&A);
+    Teuchos::ParameterList list;
+    const double           largest = gershgorin_bound(A);
+    list.set("chebyshev: degree", static_cast<int>(chebyshev_degree));
+    list.set("chebyshev: max eigenvalue", largest);
+    list.set("chebyshev: ratio eigenvalue", chebyshev_ratio);
+    list.set("chebyshev: min eigenvalue", largest / chebyshev_ratio);
+    list.set("chebyshev: zero starting solution", true);
+    chebyshev->SetParameters(list);
+    chebyshev->Initialize();
+    chebyshev->Compute();
+  }
+
+  template <int dim>
+  void
+  BlockPreconditioner<dim>::make_ilu()
+  {
+    // Ifpack's interface wants a matrix that it may change, but does not
+    ilu = std::make_unique<Ifpack_ILU>(
+      const_cast<Epetra_CrsMatrix *>(&matrix->block(BlockMatrix<dim>::uu)));
+    Teuchos::ParameterList list;
+    list.set("fact: level-of-fill", 0);
+    ilu->SetParameters(list);
+    ilu->Initialize();
+    ilu->Compute();
+  }
+
+  template <int dim>
+  void
+  BlockPreconditioner<dim>::make_velocity_amg()
+  {
+    const Epetra_CrsMatrix &A = matrix->block(BlockMatrix<dim>::uu);
+    TrilinosWrappers::PreconditionAMG::AdditionalData data;
+    data.elliptic              = true;
+    data.smoother_sweeps       = 2;
+    data.aggregation_threshold = 1e-4;
+    const unsigned int n       = A.NumMyRows();
+    data.constant_modes.assign(dim, std::vector<bool>(n, false));
+    for (unsigned int i = 0; i < n; ++i)
+      data.constant_modes[i % dim][i] = true;
+    velocity_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
+    velocity_amg->initialize(A, data);
   }
 
   template <int dim>
@@ -146,6 +208,7 @@ namespace seiche
       {
         schur = std::make_unique<Epetra_CrsMatrix>(D);
         schur->Scale(1. / (material.density * tau1));
+        add_surface_term(c.inertia);
       }
     else
       {
@@ -180,18 +243,43 @@ namespace seiche
 
   template <int dim>
   void
+  BlockPreconditioner<dim>::add_surface_term(const double factor)
+  {
+    const Epetra_CrsMatrix &A = matrix->block(BlockMatrix<dim>::uu);
+    const Epetra_CrsMatrix &G = matrix->block(BlockMatrix<dim>::up);
+    const Epetra_CrsMatrix &C = matrix->block(BlockMatrix<dim>::pu);
+    Epetra_Vector           ones(G.DomainMap()), force(G.RangeMap());
+    Epetra_Vector           inverse(A.RowMap()), flux(C.RangeMap());
+    ones.PutScalar(1.);
+    G.Multiply(false, ones, force);
+    A.ExtractDiagonalCopy(inverse);
+    inverse.Reciprocal(inverse);
+    force.Multiply(1., force, inverse, 0.);
+    C.Multiply(false, force, flux);
+
+    Epetra_Vector diagonal(schur->RowMap());
+    schur->ExtractDiagonalCopy(diagonal);
+    for (int i = 0; i < diagonal.MyLength(); ++i)
+      diagonal[i] += factor * std::max(0., -flux[i]);
+    schur->ReplaceDiagonalValues(diagonal);
+  }
+
+  template <int dim>
+  void
   BlockPreconditioner<dim>::vmult(BlockVector &z, const BlockVector &r) const
   {
     const auto apply_to_velocity = [&](Vector &dst, const Vector &src) {
-      if (velocity_amg)
-        {
-          velocity_amg->vmult(dst, src);
-          return;
-        }
       const Epetra_Map   &map = matrix->block(BlockMatrix<dim>::uu).RowMap();
       const Epetra_Vector source(View, map, const_cast<double *>(src.begin()));
       Epetra_Vector       target(View, map, dst.begin());
-      chebyshev->ApplyInverse(source, target);
+      if (velocity_amg)
+        velocity_amg->vmult(dst, src);
+      else if (ilu)
+        ilu->ApplyInverse(source, target);
+      else
+        chebyshev->ApplyInverse(source, target);
+      if (velocity_factor != 1.)
+        dst *= velocity_factor;
     };
     if (!matrix->has_pressure())
       {

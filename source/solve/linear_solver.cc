@@ -163,6 +163,7 @@ namespace seiche
         result.converged = false;
       }
     result.iterations = control.last_step();
+    preconditioner.report(result.iterations);
     return result;
   }
 

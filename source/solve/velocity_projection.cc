@@ -22,18 +22,23 @@ namespace seiche
                                  const StepCoefficients &coefficients,
                                  const Vector           &inertia_offset,
                                  const Vector           &rate_offset,
-                                 BlockVector            &update)
+                                 BlockVector            &solution)
   {
     state.solution = 0.;
     state.solution.update_ghost_values();
     assembler.begin(coefficients, state.time, inertia_offset, rate_offset);
-    BlockVector right_hand_side(state.solution);
+    BlockVector right_hand_side(state.solution), product(state.solution);
     right_hand_side.zero_out_ghost_values();
     assembler.residual(state, right_hand_side);
-    right_hand_side *= -1.;
     assembler.tangent(state, matrix);
+    matrix.vmult(product, solution);
+    right_hand_side.sadd(-1., -1., product);
     solver.initialize(matrix, assembler, state.mass);
-    return solver.solve(update, right_hand_side, tolerance);
+    BlockVector        update(state.solution);
+    const LinearResult result =
+      solver.solve(update, right_hand_side, tolerance);
+    solution += update;
+    return result;
   }
 
   template <int dim>
@@ -43,7 +48,7 @@ namespace seiche
     const double     dt = state.dt;
     StepCoefficients c;
     c.dt              = dt;
-    c.theta           = 1.;
+    c.theta           = 0.; // linear: no derivative of the configuration
     c.inertia         = 1. / (dt * dt);
     c.rate            = 1. / dt;
     c.volume_recovery = 0.;
@@ -53,11 +58,16 @@ namespace seiche
     inertia_offset *= -1. / dt;
     inertia_offset.update_ghost_values();
     const Vector rate_offset(state.velocity_n.get_partitioner());
-    BlockVector  update(state.solution);
+    // from dt v_n: what is left to solve for is its violation alone
+    BlockVector guess(state.solution);
+    guess          = 0.;
+    guess.block(0) = state.velocity_n;
+    guess.block(0).zero_out_ghost_values();
+    guess.block(0) *= dt;
     const LinearResult result =
-      solve(state, c, inertia_offset, rate_offset, update);
+      solve(state, c, inertia_offset, rate_offset, guess);
     state.velocity_start.zero_out_ghost_values();
-    state.velocity_start.equ(1. / dt, update.block(0));
+    state.velocity_start.equ(1. / dt, guess.block(0));
     state.velocity_start.update_ghost_values();
     return result;
   }
@@ -71,7 +81,7 @@ namespace seiche
     const double     dt = 1e-3 * state.dt;
     StepCoefficients c;
     c.dt              = dt;
-    c.theta           = 1.;
+    c.theta           = 0.; // linear: no derivative of the configuration
     c.inertia         = 1. / (dt * dt);
     c.rate            = 0.;
     c.volume_recovery = 0.;
@@ -80,6 +90,7 @@ namespace seiche
 
     const Vector zero(state.velocity_n.get_partitioner());
     BlockVector  update(state.solution);
+    update = 0.;
     const LinearResult result =
       solve(state, c, zero, state.velocity_start, update);
     state.acceleration_n.zero_out_ghost_values();

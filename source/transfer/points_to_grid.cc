@@ -58,8 +58,8 @@ namespace seiche
             }
           for (unsigned int c = 0; c < dim; ++c)
             {
-              double base         = arrays.velocity[c][p];
-              double slope[dim]   = {};
+              double base       = arrays.velocity[c][p];
+              double slope[dim] = {};
               if (affine)
                 for (unsigned int d = 0; d < dim; ++d)
                   {
@@ -74,8 +74,7 @@ namespace seiche
                       value += LinearShape<dim>::corner(i, d) * slope[d];
                   sums.momentum[c][i] += N[i] * value;
                   if (with_acceleration)
-                    sums.acceleration[c][i] +=
-                      N[i] * arrays.acceleration[c][p];
+                    sums.acceleration[c][i] += N[i] * arrays.acceleration[c][p];
                 }
             }
         }
@@ -100,12 +99,13 @@ namespace seiche
       double *acceleration = state.acceleration_n.begin();
       for (const unsigned int cell : occupancy.occupied_cells())
         {
-          const CellSums<dim> sums = sum_cell<dim, affine, with_acceleration>(
-            arrays,
-            points.first_point(cell),
-            points.first_point(cell + 1),
-            locator.lower_corner(cell),
-            locator.extent(cell));
+          const CellSums<dim> sums =
+            sum_cell<dim, affine, with_acceleration>(arrays,
+                                                     points.first_point(cell),
+                                                     points.first_point(cell +
+                                                                        1),
+                                                     locator.lower_corner(cell),
+                                                     locator.extent(cell));
           const unsigned int *nodes = occupancy.cell_nodes(cell);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
@@ -157,9 +157,9 @@ namespace seiche
   Transfer<dim>::points_to_grid(const PointCloud<dim> &points,
                                 GridState<dim>        &state) const
   {
-    const bool with_acceleration = state.acceleration_n.size() > 0 &&
-                                   points.has(PointColumn::acceleration);
-    using Vector = typename GridState<dim>::Vector;
+    const bool with_acceleration =
+      state.acceleration_n.size() > 0 && points.has(PointColumn::acceleration);
+    using Vector               = typename GridState<dim>::Vector;
     std::vector<Vector *> sums = {&state.mass,
                                   &state.pressure_guess,
                                   &state.velocity_n};

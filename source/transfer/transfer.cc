@@ -3,9 +3,9 @@
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
 
 #include <fmt/format.h>
-#include <deal.II/base/patterns.h>
 
 #include <array>
 

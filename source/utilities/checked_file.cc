@@ -239,7 +239,17 @@ namespace seiche
     {
       std::ostream stream(&buffer);
       stream.imbue(std::locale::classic());
-      fill(stream);
+      try
+        {
+          fill(stream);
+        }
+      catch (...)
+        {
+          // libraries that notice the failed stream do not know the cause
+          if (buffer.error != 0)
+            fail(filename, "write", buffer.error, buffer.bytes);
+          throw;
+        }
       stream.flush();
       if (!stream || buffer.error != 0)
         fail(filename, "write", buffer.error, buffer.bytes);

@@ -139,13 +139,14 @@ namespace seiche
   {
     std::map<std::string, double> result;
     double                        rest = cpu_seconds();
-    for (const unsigned int child : sections[0].children)
-      {
-        const double cpu             = elapsed(child).first;
-        result[sections[child].name] = cpu;
-        rest -= cpu;
-      }
-    result["other"] = std::max(0., rest);
+    for (unsigned int i = 1; i < sections.size(); ++i)
+      if (sections[i].children.empty())
+        {
+          const double cpu = elapsed(i).first;
+          result[sections[i].name] += cpu;
+          rest -= cpu;
+        }
+    result["other"] += std::max(0., rest);
     return result;
   }
 

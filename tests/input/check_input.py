@@ -57,10 +57,9 @@ class Case:
             assert self.text.count(old) == 1, f"{name}: {old!r} is not unique"
             self.text = self.text.replace(old, new)
         if line is True and old is not None and new:
-            # the first line of the replacement that is a line of its own
-            before = self.text[: self.text.index(new)]
-            shift = len(new) - len(new.lstrip("\n"))
-            line = before.count("\n") + shift + 1
+            prefix = os.path.commonprefix([
+                self.text, SCENE if text is None else text])
+            line = prefix.count("\n") + 1
         if line is not True and line:
             self.expect.append(f"scene.prm:{line}: ")
         self.arguments = ["scene.prm"] if arguments is None else arguments
@@ -85,10 +84,10 @@ SYNTAX = [
          expect=['"put Density', '"set NAME = VALUE"']),
     Case("no equals sign", "Cell size    =", "Cell size   ", line=5,
          expect=["set Cell size", '"set NAME = VALUE"']),
-    Case("no name before the equals sign", "set Step     =", "set =", line=20),
+    Case("no name before the equals sign", "set Step     =", "set =", line=21),
     Case("entry set twice", "  set Step     = 0.01",
-         "  set Step     = 0.01\n  set Step     = 0.02", line=21,
-         expect=['"Step"', "twice", "scene.prm:20"]),
+         "  set Step     = 0.01\n  set Step     = 0.02", line=22,
+         expect=['"Step"', "twice", "scene.prm:21"]),
     Case("subsection twice, entry twice",
          **added("subsection Fluid\n  set Density = 1\nend\n"),
          line=LAST + 2, expect=['"Density"', "twice", "scene.prm:11"]),
@@ -444,7 +443,8 @@ def main():
             print(f"{'FAILED' if problems else 'passed'}: {case.name}")
             for problem in problems:
                 print(f"    {problem}")
-            print("    | " + printed.strip().replace("\n", "\n    | "))
+            for line in printed.strip().split("\n")[:20]:
+                print("    | " + line)
     print(f"{len(cases)} cases, {failures} failed")
     return 1 if failures else 0
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Grid lines, obstacles and walls; the refused grids.
-#include "scene_from_text.h"
-
 #include <iomanip>
 #include <map>
+
+#include "scene_from_text.h"
 
 namespace
 {
@@ -66,11 +66,12 @@ main(int argc, char **argv)
 
   describe<2>(box("set Break points x = 1.2\n set Cells x = 24, 40\n"
                   "set Cell size = 0.05\nend\n"));
-  describe<2>(box("set Cell size = 0.1\nend\n"
-                  "subsection Walls\n set Top = open\n set Left = no-slip\nend\n"
-                  "subsection Obstacle weir\n set Lower corner = 1.61, 0\n"
-                  "set Upper corner = 2.02, 0.5\n set Condition = no-slip\n"
-                  "end\n"));
+  describe<2>(
+    box("set Cell size = 0.1\nend\n"
+        "subsection Walls\n set Top = open\n set Left = no-slip\nend\n"
+        "subsection Obstacle weir\n set Lower corner = 1.61, 0\n"
+        "set Upper corner = 2.02, 0.5\n set Condition = no-slip\n"
+        "end\n"));
   describe<3>("subsection Grid\n set Lower corner = -1, 0, 0\n"
               "set Upper corner = 1, 1, 1\n set Cell size = 0.125\nend\n"
               "subsection Obstacle post\n set Lower corner = -0.25, 0.25, 0\n"

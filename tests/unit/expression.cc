@@ -3,9 +3,9 @@
 #include <seiche/scene/body_force.h>
 #include <seiche/scene/expression.h>
 
-#include "scene_from_text.h"
-
 #include <iomanip>
+
+#include "scene_from_text.h"
 
 namespace
 {

@@ -84,6 +84,8 @@ namespace
           std::cout << ", body " << body << " with "
                     << input.value("Fluid body " + body + "/Velocity", "none");
         std::cout << std::endl;
+        if (input.is_set("Time/Step"))
+          std::cout << "step is set to " << scene.step << std::endl;
         input.require(scene.density < 1e5, "Fluid/Density", "too dense.");
         input.require(scene.step < 1., "Time/Step", "too long.");
       }
@@ -123,6 +125,9 @@ namespace
     check("include and change",
           "set Dimension = 2\ninclude water.inc\nsubsection Fluid\n"
           "  set Density = 3\nend\n");
+    check("a default written out",
+          "set Dimension = 2\n" + fluid,
+          {"Time/Step = 0.1", "Walls/Lines ="});
     check("later check",
           "set Dimension = 2\n" + fluid,
           {"Fluid/Density = 1e6"});

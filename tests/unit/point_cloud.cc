@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Points that swirl through the cells (and ranks): order, columns, outflow
 // and the message for a lost point.
-#include "scene_from_text.h"
-
 #include <cmath>
 #include <iomanip>
+
+#include "scene_from_text.h"
 
 namespace
 {
@@ -45,11 +45,11 @@ namespace
                            points.locator.find(points.position(p)) != cell;
             n_unsorted += p > points.first_point(cell) &&
                           points.ids()[p] <= points.ids()[p - 1];
-            n_mixed += points.data(seiche::PointColumn::pressure)[p] !=
-                         mark_of(points.ids()[p]) ||
-                       points.data(seiche::PointColumn::velocity_gradient,
-                                   dim * dim - 1)[p] !=
-                         -mark_of(points.ids()[p]);
+            n_mixed +=
+              points.data(seiche::PointColumn::pressure)[p] !=
+                mark_of(points.ids()[p]) ||
+              points.data(seiche::PointColumn::velocity_gradient,
+                          dim * dim - 1)[p] != -mark_of(points.ids()[p]);
             mass += points.data(seiche::PointColumn::mass)[p];
           }
       }
@@ -58,10 +58,10 @@ namespace
     const auto present = global_sum(std::uint64_t(points.size()));
     mass               = global_sum(mass);
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      std::cout << name << ": points " << n << " counted "
-                << points.n_global() << ' ' << present << " faults " << faults
-                << " mass " << mass << " outflow " << points.n_outflow()
-                << " of mass " << points.outflow_mass() << std::endl;
+      std::cout << name << ": points " << n << " counted " << points.n_global()
+                << ' ' << present << " faults " << faults << " mass " << mass
+                << " outflow " << points.n_outflow() << " of mass "
+                << points.outflow_mass() << std::endl;
   }
 
 

@@ -2,9 +2,9 @@
 // Area of each shape by counting lattice points, and the refused bodies.
 #include <seiche/scene/region.h>
 
-#include "scene_from_text.h"
-
 #include <iomanip>
+
+#include "scene_from_text.h"
 
 namespace
 {
@@ -15,8 +15,7 @@ namespace
                            "end\n";
 
   std::unique_ptr<seiche::Region<2>>
-  make(const std::string                         &entries,
-       std::unique_ptr<SceneFromText<2>>         &scene)
+  make(const std::string &entries, std::unique_ptr<SceneFromText<2>> &scene)
   {
     scene = std::make_unique<SceneFromText<2>>(
       grid + "subsection Fluid body a\n" + entries + "end\n");
@@ -57,7 +56,8 @@ main(int argc, char **argv)
           " set Semi-axes = 0.8, 0.4\n");
   measure("set Shape = polygon\n set Vertices = 0 0, 1 0, 0 1\n");
   measure("set Shape = polygon\n set Vertices = 0 0, 0 1, 0.5 0.5, 1 1, 1 0\n");
-  measure("set Shape = expression\n set Expression = y - 0.5 + 0.1*cos(pi*x)\n");
+  measure(
+    "set Shape = expression\n set Expression = y - 0.5 + 0.1*cos(pi*x)\n");
 
   for (const char *entries :
        {"set Lower corner = 0.1\n set Upper corner = 0.9, 0.7\n",

@@ -53,10 +53,10 @@ struct SceneFromText
     seeding.check(input);
   }
 
-  seiche::InputFile                              input;
-  seiche::GridParameters<dim>                    grid_parameters;
-  seiche::SeedingParameters                      seeding;
-  std::vector<seiche::FluidBodyParameters<dim>>  bodies;
+  seiche::InputFile                             input;
+  seiche::GridParameters<dim>                   grid_parameters;
+  seiche::SeedingParameters                     seeding;
+  std::vector<seiche::FluidBodyParameters<dim>> bodies;
 };
 
 /// Prints the message of the InputError that the action throws.

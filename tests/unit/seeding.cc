@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Number, mass, spacing and jitter of the points at the start.
-#include "scene_from_text.h"
-
 #include <iomanip>
+
+#include "scene_from_text.h"
 
 namespace
 {
@@ -17,13 +17,13 @@ namespace
     seiche::PointCloud<dim>           points(locator,
                                    {seiche::PointColumn::velocity_gradient},
                                    MPI_COMM_WORLD);
-    const seiche::SeedingResult result = seiche::seed_bodies(
+    const seiche::SeedingResult       result = seiche::seed_bodies(
       scene.seeding, scene.bodies, scene.input, /*density=*/2., points);
 
-    double                 mass = 0.;
-    dealii::Point<dim>     centre;
-    dealii::Tensor<1, dim> momentum;
-    dealii::Tensor<2, dim> gradient;
+    double                  mass = 0.;
+    dealii::Point<dim>      centre;
+    dealii::Tensor<1, dim>  momentum;
+    dealii::Tensor<2, dim>  gradient;
     std::set<std::uint64_t> ids(points.ids().begin(), points.ids().end());
     for (std::size_t p = 0; p < points.size(); ++p)
       {
@@ -32,8 +32,7 @@ namespace
         centre += m * points.position(p);
         for (unsigned int d = 0; d < dim; ++d)
           {
-            momentum[d] +=
-              m * points.data(seiche::PointColumn::velocity, d)[p];
+            momentum[d] += m * points.data(seiche::PointColumn::velocity, d)[p];
             for (unsigned int e = 0; e < dim; ++e)
               gradient[d][e] +=
                 m * points.data(seiche::PointColumn::velocity_gradient,

@@ -3,10 +3,10 @@
 // what is exact for linear fields.
 #include <seiche/transfer/transfer.h>
 
-#include "scene_from_text.h"
-
 #include <cmath>
 #include <iomanip>
+
+#include "scene_from_text.h"
 
 namespace
 {
@@ -70,8 +70,8 @@ namespace
 
   template <int dim>
   Ledger<dim>
-  of_nodes(const seiche::Occupancy<dim> &occupancy,
-           const seiche::GridState<dim> &state,
+  of_nodes(const seiche::Occupancy<dim>                  &occupancy,
+           const seiche::GridState<dim>                  &state,
            const typename seiche::GridState<dim>::Vector &velocity)
   {
     Ledger<dim> result;
@@ -99,9 +99,8 @@ namespace
     const double mass = global_sum(l.mass), energy = global_sum(l.energy),
                  spin = global_sum(l.spin);
     if (root())
-      std::cout << "  " << name << ": mass " << mass << " momentum "
-                << momentum << " energy " << energy << " spin " << spin
-                << std::endl;
+      std::cout << "  " << name << ": mass " << mass << " momentum " << momentum
+                << " energy " << energy << " spin " << spin << std::endl;
   }
 
 
@@ -138,10 +137,9 @@ namespace
     const seiche::CellLocator<dim>    locator(grid);
     seiche::TransferParameters        parameters;
     parameters.method = method;
-    seiche::PointCloud<dim> points(
-      locator,
-      seiche::Transfer<dim>::columns(parameters),
-      communicator);
+    seiche::PointCloud<dim> points(locator,
+                                   seiche::Transfer<dim>::columns(parameters),
+                                   communicator);
     seiche::seed_bodies(
       scene.seeding, scene.bodies, scene.input, /*density=*/100., points);
     seiche::Occupancy<dim> occupancy(locator, /*degree=*/1);
@@ -215,9 +213,8 @@ namespace
     if (root())
       std::cout << "  volume " << volume << " pressure " << pressure
                 << " gradient " << gradient << " least det F "
-                << check.min_det_F << " displacement "
-                << check.max_displacement << " finite " << check.finite
-                << std::endl;
+                << check.min_det_F << " displacement " << check.max_displacement
+                << " finite " << check.finite << std::endl;
     points.locate();
     occupancy.update(points);
   }

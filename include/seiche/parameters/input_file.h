@@ -59,7 +59,9 @@ namespace seiche
     std::string
     value(const std::string &path, const std::string &fallback = "") const;
 
-    /// True if the entry has a value that is not empty.
+    /// True if the entry has a value that is not empty and, once parse_into()
+    /// knows it, not the default: a file with all entries written out
+    /// (parameters.prm) means the same as the short one.
     bool
     is_set(const std::string &path) const;
 
@@ -113,6 +115,7 @@ namespace seiche
     bool      documentation = false;
     // asked for so far: the hints for misspelt kinds need them
     mutable std::set<std::string> kinds;
+    mutable std::set<std::string> entries_at_default;
   };
 } // namespace seiche
 

@@ -203,19 +203,19 @@ namespace seiche
     unsigned int
     find_at_wall(const dealii::Point<dim> &x) const;
 
-    unsigned int                            n_owned_cells = 0;
-    std::vector<dealii::Point<dim>>         lower;
-    std::vector<dealii::Point<dim>>         upper;
-    std::vector<dealii::Tensor<1, dim>>     extents;
-    std::vector<double>                     measures;
-    std::vector<unsigned int>               owners;
-    std::vector<std::array<unsigned int, 2 * dim>>               neighbors;
+    unsigned int                                   n_owned_cells = 0;
+    std::vector<dealii::Point<dim>>                lower;
+    std::vector<dealii::Point<dim>>                upper;
+    std::vector<dealii::Tensor<1, dim>>            extents;
+    std::vector<double>                            measures;
+    std::vector<unsigned int>                      owners;
+    std::vector<std::array<unsigned int, 2 * dim>> neighbors;
     std::vector<std::array<dealii::types::boundary_id, 2 * dim>> boundary_ids;
-    std::vector<Lattice>                    lattice_lower; // finest lattice box
-    std::vector<Lattice>                    lattice_upper; // exclusive
-    std::vector<unsigned int>               by_active_index;
+    std::vector<Lattice>      lattice_lower; // finest lattice box
+    std::vector<Lattice>      lattice_upper; // exclusive
+    std::vector<unsigned int> by_active_index;
     std::vector<typename dealii::Triangulation<dim>::active_cell_iterator>
-      iterators;
+                           iterators;
     std::array<Lines, dim> lines;
     unsigned int           finest_level   = 0;
     unsigned int           obstacle_shift = 0; // grid's lattice -> finest

@@ -133,7 +133,7 @@ namespace seiche
       std::size_t n_outflow    = 0; ///< left through open sides
       double      outflow_mass = 0.;
       std::size_t n_lost       = 0;
-      std::string lost_report; ///< of the first lost point
+      std::string lost_report;   ///< of the first lost point
       bool        moved = false; ///< a point is new or changed its cell
     };
 
@@ -164,20 +164,20 @@ namespace seiche
     apply_permutation();
 
     // component arrays of all columns present, in the order of the table
-    std::vector<dealii::AlignedVector<double>>      arrays;
-    std::array<unsigned int, n_point_columns>       first_array; // or invalid
-    std::vector<std::uint64_t>                      point_ids;
-    std::vector<unsigned int>                       point_cells;
-    std::vector<std::size_t>                        cell_begin;
-    std::uint64_t                                   global_size = 0;
-    std::uint64_t                                   outflow     = 0;
-    double                                          lost_mass   = 0.;
+    std::vector<dealii::AlignedVector<double>> arrays;
+    std::array<unsigned int, n_point_columns>  first_array; // or invalid
+    std::vector<std::uint64_t>                 point_ids;
+    std::vector<unsigned int>                  point_cells;
+    std::vector<std::size_t>                   cell_begin;
+    std::uint64_t                              global_size = 0;
+    std::uint64_t                              outflow     = 0;
+    double                                     lost_mass   = 0.;
 
     // workspace of sort(), kept so that a step allocates nothing
-    std::vector<std::uint32_t>                      permutation;
-    dealii::AlignedVector<double>                   scratch_values;
-    std::vector<std::uint64_t>                      scratch_ids;
-    std::vector<unsigned int>                       scratch_cells;
+    std::vector<std::uint32_t>    permutation;
+    dealii::AlignedVector<double> scratch_values;
+    std::vector<std::uint64_t>    scratch_ids;
+    std::vector<unsigned int>     scratch_cells;
   };
 } // namespace seiche
 

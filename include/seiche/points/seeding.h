@@ -12,9 +12,9 @@ namespace seiche
   /// How fluid bodies are filled with points (prm subsection "Points").
   struct SeedingParameters
   {
-    unsigned int  per_direction = 4;  // points per cell and direction
-    double        jitter        = 0.; // +- this share of the point spacing
-    unsigned int  seed          = 1;
+    unsigned int per_direction = 4;  // points per cell and direction
+    double       jitter        = 0.; // +- this share of the point spacing
+    unsigned int seed          = 1;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

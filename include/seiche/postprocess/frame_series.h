@@ -12,6 +12,9 @@
 
 namespace seiche
 {
+  template <int patch_dim, int dim>
+  class FieldPatches;
+
   /// Where and when output frames are made.
   struct FrameSettings
   {
@@ -40,21 +43,11 @@ namespace seiche
     bool
     due(const double time);
 
-    /**
-     * Write the frame as VTU: one file, or one a rank and a PVTU record.
-     *
-     * @param time   [s]
-     * @param piece  writes the part of this rank
-     * @param record writes the record of the named pieces
-     *
-     * Collective.
-     */
+    /// Write the frame of @p time [s] as VTU: one file, or one for each rank
+    /// that has patches and a PVTU record. Collective.
+    template <int patch_dim, int dim>
     void
-    write_vtu(
-      const double                                                 time,
-      const std::function<void(std::ostream &)>                   &piece,
-      const std::function<void(std::ostream &,
-                               const std::vector<std::string> &)> &record);
+    write_vtu(const double time, const FieldPatches<patch_dim, dim> &data);
 
     /// Write the frame as one file NAME_NNNNNN.@p extension from rank 0; the
     /// others wait for its success. Collective.

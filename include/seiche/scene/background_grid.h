@@ -42,8 +42,8 @@ namespace seiche
       WallCondition      condition = WallCondition::slip;
     };
 
-    dealii::Point<dim>                         lower_corner; // [m]
-    dealii::Point<dim>                         upper_corner; // [m]
+    dealii::Point<dim>                         lower_corner;   // [m]
+    dealii::Point<dim>                         upper_corner;   // [m]
     double                                     cell_size = 0.; // [m], 0: unused
     std::array<std::vector<double>, dim>       break_points;   // interior, [m]
     std::array<std::vector<unsigned int>, dim> cells; // per segment, or empty
@@ -121,8 +121,8 @@ namespace seiche
   public:
     using Segment = GridSegment;
     /// Indices of cells on the finest lattice: [first, second) per direction.
-    using LatticeBox = std::pair<std::array<unsigned int, dim>,
-                                 std::array<unsigned int, dim>>;
+    using LatticeBox =
+      std::pair<std::array<unsigned int, dim>, std::array<unsigned int, dim>>;
 
     /// Collective. @p grid_parameters must outlive the grid.
     BackgroundGrid(const GridParameters<dim> &grid_parameters,

@@ -8,6 +8,7 @@
 #include <deal.II/lac/trilinos_precondition.h>
 
 #include <Ifpack_Chebyshev.h>
+#include <Ifpack_ILU.h>
 
 #include <memory>
 
@@ -19,9 +20,11 @@ namespace seiche
    * z_p = S^-1 r_p, z_u = P_A (r_u - G z_p). S is the pressure Schur
    * complement D - C A^-1 G: with subscales it is Laplacian-like,
    * S = D/(rho C_a tau1), so that one scalar ML hierarchy serves; without
-   * them it is formed with diag(A). P_A: Chebyshev sweeps where A is close to
-   * a mass matrix, ML with the components' constants where viscosity, tau2 or
-   * the bulk modulus dominate. Viscous fluids add 2 mu c_r/M_p to S^-1
+   * them it is formed with diag(A). P_A: where A is close to a mass matrix,
+   * Chebyshev sweeps in 3D and ILU(0) in 2D, where it is cheap (and in 3D
+   * after a slow solve: the ghost penalty outweighs the mass of spray, which
+   * sweeps do not see); ML with the components' constants where viscosity,
+   * tau2 or the bulk modulus dominate. Viscous fluids add 2 mu c_r/M_p to S^-1
    * (Cahouet and Chabard 1988). (doc/theory.md, "Linear systems")
    */
   template <int dim>
@@ -31,9 +34,11 @@ namespace seiche
     using Vector      = dealii::LinearAlgebra::distributed::Vector<double>;
     using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
 
-    /// Set up for a newly assembled matrix. The ML hierarchy of the Schur
-    /// complement is kept while the pattern lives and force_setup is not
-    /// called: its values only steer convergence. Collective.
+    /// Set up for a newly assembled matrix. Hierarchies and factors are kept
+    /// until begin_step(): their values only steer convergence, and the
+    /// matrices of a step differ by a factor above all. (Keeping them longer
+    /// costs more than it saves: a cell that has become occupied since is
+    /// unknown to them.) Collective.
     void
     initialize(const BlockMatrix<dim>  &matrix,
                const Assembler<dim>    &assembler,
@@ -41,9 +46,17 @@ namespace seiche
                const Vector            &mass,
                const bool               closed);
 
-    /// Drop the hierarchy: the next initialize() builds a new one.
+    /// A new step: what was set up is outdated.
+    void
+    begin_step();
+
+    /// Drop everything: the next initialize() builds all of it.
     void
     force_setup();
+
+    /// Iterations of the last solve: a slow one changes P_A of the next.
+    void
+    report(const unsigned int iterations);
 
     void
     vmult(BlockVector &z, const BlockVector &r) const;
@@ -53,18 +66,37 @@ namespace seiche
 
   private:
     void
-    initialize_velocity(const double stiffness);
+    initialize_velocity(const double stiffness, const double inertia);
+    void
+    make_chebyshev();
+    void
+    make_ilu();
+    void
+    make_velocity_amg();
     void
     initialize_schur(const Assembler<dim>    &assembler,
                      const MaterialConstants &material);
 
+    /// Add factor times the row sums of -C diag(A)^-1 G to the diagonal of the
+    /// Schur complement. With subscales C is the flux through the free
+    /// surface alone; without it D would leave constants free.
+    void
+    add_surface_term(const double factor);
+
     const BlockMatrix<dim> *matrix = nullptr;
     bool                    closed = false; ///< pressure up to a constant
 
-    std::unique_ptr<Ifpack_Chebyshev>                       chebyshev;
+    // at most one of the three
+    std::unique_ptr<Ifpack_Chebyshev>                          chebyshev;
+    std::unique_ptr<Ifpack_ILU>                                ilu;
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> velocity_amg;
 
-    std::unique_ptr<Epetra_CrsMatrix>                       schur;
+    bool         use_ilu             = dim == 2;
+    unsigned int velocity_generation = 0; ///< pattern of the factors
+    double       velocity_inertia    = 0.; ///< C_a that they belong to
+    double       velocity_factor     = 1.;
+
+    std::unique_ptr<Epetra_CrsMatrix>                          schur;
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> schur_amg;
     unsigned int schur_generation = 0;
     double       schur_factor     = 1.; ///< S^-1 = factor * hierarchy

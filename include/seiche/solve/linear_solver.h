@@ -59,6 +59,13 @@ namespace seiche
                const Assembler<dim>                      &assembler,
                const typename GridState<dim>::Vector     &mass);
 
+    /// A new step: see BlockPreconditioner.
+    void
+    begin_step()
+    {
+      preconditioner.begin_step();
+    }
+
     /// Reduce the scaled residual by @p tolerance, from zero; a solve that
     /// fails is repeated once with a new AMG hierarchy. The mean of the
     /// pressure is zero where only its gradient counts. Collective.

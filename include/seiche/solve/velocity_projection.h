@@ -11,10 +11,12 @@ namespace seiche
    * @brief Makes the start velocity of a step satisfy the discrete
    * incompressibility constraint.
    *
-   * One linear solve of the step's own system with theta = 1, no body force,
-   * no viscosity, no volume recovery, at u = p = 0, the ghost penalty on
-   * accelerations: v_0 = u/dt (doc/theory.md, "Projection of the start
-   * velocity"). Without it the midpoint scheme repeats every violation in v_0
+   * One linear solve of the step's own system with C_a = 1/dt^2, no body
+   * force, no viscosity, no volume recovery, at u = p = 0, the ghost penalty
+   * on accelerations: v_0 = u/dt (doc/theory.md, "Projection of the start
+   * velocity"). Forces stay in the configuration x_n (theta = 0): at u = 0 the
+   * subscale residual is rho v_0/dt, and its geometric derivative would add
+   * the convective acceleration to the constraint. Without it the midpoint scheme repeats every violation in v_0
    * with factor -rho_inf, which costs pressure noise 2 rho h dv/dt.
    */
   template <int dim>
@@ -45,13 +47,14 @@ namespace seiche
     using Vector      = typename GridState<dim>::Vector;
     using BlockVector = typename GridState<dim>::BlockVector;
 
-    /// Solve once at u = p = 0 into @p update.
+    /// Solve the system that is linear about u = p = 0, starting from
+    /// @p solution.
     LinearResult
     solve(GridState<dim>         &state,
           const StepCoefficients &coefficients,
           const Vector           &inertia_offset,
           const Vector           &rate_offset,
-          BlockVector            &update);
+          BlockVector            &solution);
 
     Assembler<dim>    &assembler;
     BlockMatrix<dim>  &matrix;

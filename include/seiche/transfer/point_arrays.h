@@ -19,8 +19,8 @@ namespace seiche
   template <int dim, typename Cloud>
   struct PointArrays
   {
-    using Pointer = std::
-      conditional_t<std::is_const<Cloud>::value, const double *, double *>;
+    using Pointer =
+      std::conditional_t<std::is_const<Cloud>::value, const double *, double *>;
 
     std::array<Pointer, dim>       position;
     std::array<Pointer, dim>       velocity;

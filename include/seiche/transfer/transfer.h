@@ -52,7 +52,7 @@ namespace seiche
   /// Result of a trial of the convective phase, all ranks.
   struct StepCheck
   {
-    double min_det_F        = 1.; ///< of the increment, at the points
+    double min_det_F = 1.; ///< of the whole and half increment, at the points
     double max_displacement = 0.; ///< in cells of the point's cell
     bool   finite           = true;
 

@@ -34,7 +34,8 @@ namespace seiche
 
     TimerTree();
 
-    /// Seconds [s] of processor time per top-level section, and `other`.
+    /// Processor seconds [s] of the innermost sections, added up by name, and
+    /// `other`, what they do not cover; the values add up to cpu_seconds().
     std::map<std::string, double>
     phase_seconds() const;
 
