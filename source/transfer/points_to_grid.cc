@@ -99,13 +99,16 @@ namespace seiche
       double *acceleration = state.acceleration_n.begin();
       for (const unsigned int cell : occupancy.occupied_cells())
         {
-          const CellSums<dim> sums =
-            sum_cell<dim, affine, with_acceleration>(arrays,
-                                                     points.first_point(cell),
-                                                     points.first_point(cell +
-                                                                        1),
-                                                     locator.lower_corner(cell),
-                                                     locator.extent(cell));
+          // A point alone in its cell defines no gradient: C would feed on
+          // itself through nodes of little mass, and spray explode.
+          const auto sum = affine && points.n_points_in(cell) > 1 ?
+                             sum_cell<dim, affine, with_acceleration> :
+                             sum_cell<dim, false, with_acceleration>;
+          const CellSums<dim> sums = sum(arrays,
+                                         points.first_point(cell),
+                                         points.first_point(cell + 1),
+                                         locator.lower_corner(cell),
+                                         locator.extent(cell));
           const unsigned int *nodes = occupancy.cell_nodes(cell);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
