@@ -13,8 +13,8 @@ namespace seiche
     struct PointState
     {
       double         volume_n, volume_t, J_1, rho_t;
-      double         constraint;      // g = J_1 - 1 + p/kappa
-      double         fine_pressure;   // p~ = -tau2 g
+      double         constraint;    // g = J_1 - 1 + p/kappa
+      double         fine_pressure; // p~ = -tau2 g
       Tensor<1, dim> acceleration, pressure_gradient, momentum_residual;
       Tensor<2, dim> velocity_gradient, stress; // S = s - (p + p~) I
 
@@ -35,11 +35,11 @@ namespace seiche
         acceleration = point.value(cell.acceleration);
 
         const double pressure = point.value(cell.pressure);
-        pressure_gradient = point.gradient(cell.pressure, point.gradient_t);
-        constraint        = J_1 - 1. + pressure / material.bulk_modulus;
-        fine_pressure     = -tau.continuity * constraint;
-        momentum_residual = rho_t * (cell.body_force_at(q) - acceleration) -
-                            pressure_gradient;
+        pressure_gradient     = point.gradient(cell.pressure, point.gradient_t);
+        constraint            = J_1 - 1. + pressure / material.bulk_modulus;
+        fine_pressure         = -tau.continuity * constraint;
+        momentum_residual =
+          rho_t * (cell.body_force_at(q) - acceleration) - pressure_gradient;
 
         if (cell.coefficients.viscous && !material.law.is_inviscid())
           {
@@ -88,7 +88,8 @@ namespace seiche
 
         const double coarse =
           cell.quadrature.volume[q] *
-          (state.constraint + state.fine_pressure / this->material.bulk_modulus);
+          (state.constraint +
+           state.fine_pressure / this->material.bulk_modulus);
         for (unsigned int a = 0; a < n_nodes; ++a)
           cell.residual_p[a] += coarse * point.N[a];
         if (!cell.sliver)
@@ -110,12 +111,12 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
     cell.clear_tangent();
-    const Tau    tau       = this->tau(cell);
+    const Tau    tau = this->tau(cell);
     const double viscosity =
       cell.coefficients.viscous ? this->material.law.tangent_viscosity() : 0.;
-    const double theta    = cell.coefficients.theta;
-    const double kappa    = this->material.bulk_modulus;
-    const double weight_g = 1. - tau.continuity / kappa;
+    const double         theta    = cell.coefficients.theta;
+    const double         kappa    = this->material.bulk_modulus;
+    const double         weight_g = 1. - tau.continuity / kappa;
     PointKinematics<dim> point;
     for (unsigned int q = 0; q < cell.quadrature.size; ++q)
       {
@@ -136,8 +137,7 @@ namespace seiche
 
         // V_t tau1 {theta [(grad q.grad p) div du + grad q.(grad du) r
         //                  - grad p.(grad du)^T grad q] + rho C_a grad q.du}
-        const double fine =
-          cell.sliver ? 0. : state.volume_t * tau.momentum;
+        const double fine = cell.sliver ? 0. : state.volume_t * tau.momentum;
         alignas(64) double gp[n_nodes], gr[n_nodes]; // grad N.grad p, grad N.r
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
@@ -171,9 +171,9 @@ namespace seiche
                 const double from_g  = theta * fine * g[k][a];
                 const double from_a  = inertia * g[k][a];
                 for (unsigned int b = 0; b < n_nodes; ++b)
-                  cell.pu[k][a][b] += divergence * h[k][b] +
-                                      from_gp * g[k][b] + from_g * gr[b] -
-                                      from_p * gg[b] + from_a * N[b];
+                  cell.pu[k][a][b] += divergence * h[k][b] + from_gp * g[k][b] +
+                                      from_g * gr[b] - from_p * gg[b] +
+                                      from_a * N[b];
               }
             for (unsigned int i = 0; i < dim; ++i)
               {
@@ -240,7 +240,7 @@ namespace seiche
   template <int dim>
   void
   DisplacementPressureVMS<dim>::sliver_residual(CellData<dim> &cell,
-                                                const double tau) const
+                                                const double   tau) const
   {
     constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
     const SliverMeans<dim> mean(cell);
@@ -251,7 +251,8 @@ namespace seiche
     force *= mean.mass / mean.volume;
 
     for_each_gauss_gradient(
-      cell.extent, [&](const double(&gradient)[dim][n_nodes], const double weight) {
+      cell.extent,
+      [&](const double(&gradient)[dim][n_nodes], const double weight) {
         const Tensor<1, dim> r =
           force - PointKinematics<dim>::gradient(cell.pressure, gradient);
         for (unsigned int i = 0; i < dim; ++i)
@@ -268,18 +269,17 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
     const SliverMeans<dim> mean(cell);
-    const double           inertia =
-      mean.mass / mean.volume * cell.coefficients.inertia;
+    const double inertia = mean.mass / mean.volume * cell.coefficients.inertia;
     for_each_gauss_gradient(
-      cell.extent, [&](const double(&gradient)[dim][n_nodes], const double weight) {
+      cell.extent,
+      [&](const double(&gradient)[dim][n_nodes], const double weight) {
         const double fine = weight * mean.volume * tau;
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int a = 0; a < n_nodes; ++a)
             for (unsigned int b = 0; b < n_nodes; ++b)
               {
                 cell.pp[a][b] += fine * gradient[i][a] * gradient[i][b];
-                cell.pu[i][a][b] +=
-                  fine * gradient[i][a] * inertia * mean.N[b];
+                cell.pu[i][a][b] += fine * gradient[i][a] * inertia * mean.N[b];
               }
       });
   }

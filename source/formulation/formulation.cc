@@ -15,8 +15,8 @@ namespace seiche
     struct FormulationEntry
     {
       const char *name;
-      std::unique_ptr<Formulation<dim>> (*make)(const MaterialConstants &,
-                                                const StabilizationParameters &);
+      std::unique_ptr<Formulation<dim>> (
+        *make)(const MaterialConstants &, const StabilizationParameters &);
       const char *description;
     };
 
@@ -80,9 +80,9 @@ namespace seiche
     return nullptr;
   }
 
-#define INSTANTIATE(dim)                                                       \
-  template class Formulation<dim>;                                             \
-  template std::unique_ptr<Formulation<dim>> make_formulation<dim>(            \
+#define INSTANTIATE(dim)                                            \
+  template class Formulation<dim>;                                  \
+  template std::unique_ptr<Formulation<dim>> make_formulation<dim>( \
     const FormulationParameters &, const MaterialConstants &);
   INSTANTIATE(2)
   INSTANTIATE(3)

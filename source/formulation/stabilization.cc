@@ -51,15 +51,15 @@ namespace seiche
     double inverse = 0.;
     if (tau == "transient")
       {
-        const double k4 = static_cast<double>(degree * degree) * degree * degree;
-        inverse = inertia_factor * density * coefficients.inertia +
-                  viscous_factor * 2. * viscosity * coefficients.rate * k4 /
-                    (h * h);
+        const double k4 =
+          static_cast<double>(degree * degree) * degree * degree;
+        inverse =
+          inertia_factor * density * coefficients.inertia +
+          viscous_factor * 2. * viscosity * coefficients.rate * k4 / (h * h);
       }
     else
       {
-        const double floored =
-          std::max(speed, 1e-3 * h / coefficients.dt);
+        const double floored = std::max(speed, 1e-3 * h / coefficients.dt);
         inverse = viscous_factor * 2. * viscosity / (h * h * coefficients.dt) +
                   inertia_factor * density * floored / (h * coefficients.dt);
       }

@@ -34,10 +34,10 @@ namespace seiche
   void
   Fill<dim>::update(const PointCloud<dim> &points)
   {
-    constexpr unsigned int n_nodes   = LinearShape<dim>::n_nodes;
-    const auto            &locator   = occupancy.locator;
-    const double          *volume    = points.data(PointColumn::initial_volume);
-    double                 total     = 0.;
+    constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
+    const auto            &locator = occupancy.locator;
+    const double          *volume  = points.data(PointColumn::initial_volume);
+    double                 total   = 0.;
     fill.assign(locator.n_cells(), 0.);
     node_fill.reinit(occupancy.scalar_partitioner());
     double N[n_nodes];
@@ -48,8 +48,8 @@ namespace seiche
              p < points.first_point(cell + 1);
              ++p)
           {
-            LinearShape<dim>::values(
-              locator.to_unit(cell, points.position(p)), N);
+            LinearShape<dim>::values(locator.to_unit(cell, points.position(p)),
+                                     N);
             sum += volume[p];
             for (unsigned int a = 0; a < n_nodes; ++a)
               nodal[a] += N[a] * volume[p];
@@ -133,7 +133,8 @@ namespace seiche
                          const unsigned int upper,
                          const unsigned int direction) {
       if (is_cut(lower) || is_cut(upper))
-        faces.push_back({lower, upper, direction, is_thin(lower) || is_thin(upper)});
+        faces.push_back(
+          {lower, upper, direction, is_thin(lower) || is_thin(upper)});
     };
     for (const unsigned int cell : occupancy.occupied_cells())
       for (unsigned int direction = 0; direction < dim; ++direction)

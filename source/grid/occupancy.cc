@@ -39,8 +39,7 @@ namespace seiche
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       for (unsigned int d = 0; d < dim; ++d)
         smallest = std::min(smallest, locator.extent(cell)[d]);
-    smallest =
-      Utilities::MPI::min(smallest, triangulation.get_communicator());
+    smallest = Utilities::MPI::min(smallest, triangulation.get_communicator());
 
     number_cells_and_positions();
     collect_walls();
@@ -90,8 +89,8 @@ namespace seiche
     Vector             mask(full_partitioner);
     open_wall = false;
     for (unsigned int wall = 0; wall < locator.grid.n_walls(); ++wall)
-      open_wall = open_wall || locator.grid.wall_condition(wall) ==
-                                 WallCondition::open;
+      open_wall =
+        open_wall || locator.grid.wall_condition(wall) == WallCondition::open;
     walls_full.assign(position_full.size(), {});
     fixed_full.assign(position_full.size(), 0);
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
@@ -108,11 +107,13 @@ namespace seiche
               for (unsigned int c = 0; c < dim; ++c)
                 if (all || c == face / 2)
                   {
-                    const unsigned int node = full_cell_nodes[cell * n_nodes + a];
+                    const unsigned int node =
+                      full_cell_nodes[cell * n_nodes + a];
                     fixed_full[node] |= 1u << c;
                     const auto entry = std::make_pair(wall, c);
                     auto      &list  = walls_full[node];
-                    if (std::find(list.begin(), list.end(), entry) == list.end())
+                    if (std::find(list.begin(), list.end(), entry) ==
+                        list.end())
                       list.push_back(entry);
                   }
         }
@@ -156,7 +157,8 @@ namespace seiche
       locator.grid.triangulation.n_vertices());
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
       for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-        cells_at_vertex[locator.iterator(cell)->vertex_index(v)].push_back(cell);
+        cells_at_vertex[locator.iterator(cell)->vertex_index(v)].push_back(
+          cell);
     neighbors.assign(locator.n_owned(), {});
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
@@ -195,8 +197,7 @@ namespace seiche
   void
   Occupancy<dim>::update(const PointCloud<dim> &points)
   {
-    const MPI_Comm communicator =
-      locator.grid.triangulation.get_communicator();
+    const MPI_Comm communicator = locator.grid.triangulation.get_communicator();
     occupied.clear();
     bool inside = numbering_generation > 0;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
@@ -255,14 +256,12 @@ namespace seiche
           used[full_cell_nodes[cell * n_nodes + a]] = 1;
 
     n_own = std::count(used.begin(), used.begin() + n_own_full, 1);
-    const MPI_Comm communicator =
-      locator.grid.triangulation.get_communicator();
-    const auto counts =
+    const MPI_Comm communicator = locator.grid.triangulation.get_communicator();
+    const auto     counts =
       Utilities::MPI::all_gather(communicator, std::uint64_t(n_own));
-    const unsigned int  rank  = Utilities::MPI::this_mpi_process(communicator);
-    const std::uint64_t begin = std::accumulate(counts.begin(),
-                                                counts.begin() + rank,
-                                                std::uint64_t(0));
+    const unsigned int  rank = Utilities::MPI::this_mpi_process(communicator);
+    const std::uint64_t begin =
+      std::accumulate(counts.begin(), counts.begin() + rank, std::uint64_t(0));
     const std::uint64_t n_global =
       std::accumulate(counts.begin() + rank, counts.end(), begin);
     AssertThrow(n_global * dim < std::numeric_limits<int>::max(),
@@ -304,9 +303,8 @@ namespace seiche
         IndexSet own(components * n_global), ghost(components * n_global);
         own.add_range(components * begin, components * (begin + n_own));
         ghost.add_indices(ghost_indices.begin(), ghost_indices.end());
-        return std::make_shared<const Utilities::MPI::Partitioner>(own,
-                                                                   ghost,
-                                                                   communicator);
+        return std::make_shared<const Utilities::MPI::Partitioner>(
+          own, ghost, communicator);
       };
     node_partitioner      = make_partitioner(1, ghost_nodes);
     component_partitioner = make_partitioner(dim, ghost_components);

@@ -38,11 +38,10 @@ namespace seiche
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
              ++p)
-          quadrature.push_back(
-            points.locator.to_unit(cell, points.position(p)),
-            weight * mass[p],
-            weight * volume[p],
-            ratio[p]);
+          quadrature.push_back(points.locator.to_unit(cell, points.position(p)),
+                               weight * mass[p],
+                               weight * volume[p],
+                               ratio[p]);
       }
 
     private:
@@ -154,13 +153,13 @@ namespace seiche
     return std::make_unique<MaterialPoints<dim>>(points);
   }
 
-#define INSTANTIATE(dim)                                                       \
-  template struct CellQuadrature<dim>;                                         \
-  template std::unique_ptr<Quadrature<dim>> make_quadrature<dim>(              \
-    const QuadratureParameters &,                                              \
-    const PointCloud<dim> &,                                                   \
-    const Fill<dim> &,                                                         \
-    const double,                                                              \
+#define INSTANTIATE(dim)                                          \
+  template struct CellQuadrature<dim>;                            \
+  template std::unique_ptr<Quadrature<dim>> make_quadrature<dim>( \
+    const QuadratureParameters &,                                 \
+    const PointCloud<dim> &,                                      \
+    const Fill<dim> &,                                            \
+    const double,                                                 \
     const bool);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -81,12 +81,13 @@ namespace seiche
                        "Volume/Relaxation time",
                        "a finite Bulk modulus needs the whole volume error: "
                        "set it to 0, or Bulk modulus = infinite");
-    input_file.require(transfer_method(transfer.method).update !=
-                           VelocityUpdate::flip_acceleration ||
-                         time_scheme.scheme != "generalized midpoint",
-                       "Transfer/Method",
-                       "FLIP acceleration needs the acceleration on the points: "
-                       "set Time/Scheme to newmark or bossak, or another method");
+    input_file.require(
+      transfer_method(transfer.method).update !=
+          VelocityUpdate::flip_acceleration ||
+        time_scheme.scheme != "generalized midpoint",
+      "Transfer/Method",
+      "FLIP acceleration needs the acceleration on the points: "
+      "set Time/Scheme to newmark or bossak, or another method");
   }
 
   template <int dim>

@@ -39,11 +39,7 @@ namespace seiche
     , body_force(scene.body_force, scene.input)
     , transfer(scene.transfer, occupancy)
     , matrix(occupancy, formulation->has_pressure())
-    , assembler(*formulation,
-                *quadrature,
-                fill,
-                body_force,
-                scene.free_surface)
+    , assembler(*formulation, *quadrature, fill, body_force, scene.free_surface)
     , linear_solver(scene.linear_solver, scene.material())
     , velocity_projection(assembler,
                           matrix,
@@ -66,13 +62,14 @@ namespace seiche
   void
   Simulation<dim>::run()
   {
-    report.header(fmt::format(
-      "{}D, {} cells, {} points, {} rank{}\n",
-      dim,
-      grid.triangulation.n_global_active_cells(),
-      points.n_global(),
-      Utilities::MPI::n_mpi_processes(communicator),
-      Utilities::MPI::n_mpi_processes(communicator) == 1 ? "" : "s"));
+    report.header(
+      fmt::format("{}D, {} cells, {} points, {} rank{}\n",
+                  dim,
+                  grid.triangulation.n_global_active_cells(),
+                  points.n_global(),
+                  Utilities::MPI::n_mpi_processes(communicator),
+                  Utilities::MPI::n_mpi_processes(communicator) == 1 ? "" :
+                                                                       "s"));
     scene.postprocessors.make(directory, grid, communicator);
     find_material();
     prepare_start();
@@ -138,9 +135,10 @@ namespace seiche
     rate_offset.reinit(occupancy.vector_partitioner());
     transfer.points_to_grid(points, state);
     occupied_max = std::max(occupied_max, occupancy.n_global_occupied_cells());
-    unknowns_max = std::max<std::uint64_t>(
-      unknowns_max,
-      occupancy.n_global_nodes() * (dim + formulation->has_pressure()));
+    unknowns_max =
+      std::max<std::uint64_t>(unknowns_max,
+                              occupancy.n_global_nodes() *
+                                (dim + formulation->has_pressure()));
   }
 
   template <int dim>
@@ -204,10 +202,9 @@ namespace seiche
     double largest = 0.;
     for (std::size_t p = 0; p < points.size(); ++p)
       for (unsigned int d = 0; d < dim; ++d)
-        largest = std::max(
-          largest,
-          std::abs(points.data(PointColumn::velocity, d)[p]) /
-            locator.extent(points.cells()[p])[d]);
+        largest = std::max(largest,
+                           std::abs(points.data(PointColumn::velocity, d)[p]) /
+                             locator.extent(points.cells()[p])[d]);
     return Utilities::MPI::max(largest, communicator);
   }
 
@@ -229,24 +226,23 @@ namespace seiche
     const unsigned int     step = time_stepper.steps();
     const double           time = time_stepper.time();
     const double           dt   = step == 0 ? 0. : state.dt;
-    StepView<dim>          view{
-               step,
-               time,
-               dt,
-               time - (1. - time_scheme->pressure_time()) * dt,
-               points,
-               occupancy,
-               fill,
-               state,
-               scene.fluid.density,
-               body_force.is_constant() ? body_force.constant_value() :
-                                 Tensor<1, dim>(),
-               scene.fluid.bulk_modulus,
-               step == 0 ? 0. : assembler.coefficients().theta,
-               seeding.half_spacing,
-               occupancy.smallest_extent(),
-               last.iterations,
-               last.krylov_iterations};
+    StepView<dim>          view{step,
+                       time,
+                       dt,
+                       time - (1. - time_scheme->pressure_time()) * dt,
+                       points,
+                       occupancy,
+                       fill,
+                       state,
+                       scene.fluid.density,
+                       body_force.is_constant() ? body_force.constant_value() :
+                                                           Tensor<1, dim>(),
+                       scene.fluid.bulk_modulus,
+                       step == 0 ? 0. : assembler.coefficients().theta,
+                       seeding.half_spacing,
+                       occupancy.smallest_extent(),
+                       last.iterations,
+                       last.krylov_iterations};
     statistics.set("step", step);
     statistics.set("time [s]", time);
     statistics.set("dt [s]", dt);

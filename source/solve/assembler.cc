@@ -165,11 +165,10 @@ namespace seiche
             {
               const unsigned int dof = dim * face.nodes[b] + i;
               const double       u   = state.displacement().local_element(dof);
-              jump[b] =
-                coefficient.acceleration *
-                  (c.inertia * u + inertia_offset->local_element(dof)) +
-                coefficient.velocity *
-                  (c.rate * u + rate_offset->local_element(dof));
+              jump[b]                = coefficient.acceleration *
+                          (c.inertia * u + inertia_offset->local_element(dof)) +
+                        coefficient.velocity *
+                          (c.rate * u + rate_offset->local_element(dof));
             }
           for (unsigned int a = 0; a < n; ++a)
             {
@@ -184,7 +183,8 @@ namespace seiche
           {
             double sum = 0.;
             for (unsigned int b = 0; b < n; ++b)
-              sum += face.B[a][b] * state.pressure().local_element(face.nodes[b]);
+              sum +=
+                face.B[a][b] * state.pressure().local_element(face.nodes[b]);
             residual.block(1).local_element(face.nodes[a]) +=
               coefficient.pressure * sum;
           }

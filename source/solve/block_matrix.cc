@@ -155,8 +155,8 @@ namespace seiche
   {
     const auto          &partitioner = *occupancy.scalar_partitioner();
     const Epetra_MpiComm communicator(partitioner.get_mpi_communicator());
-    const unsigned int   n_own = occupancy.n_own_nodes();
-    const unsigned int   n_all = occupancy.n_local_nodes();
+    const unsigned int   n_own  = occupancy.n_own_nodes();
+    const unsigned int   n_all  = occupancy.n_local_nodes();
     const bool           serial = communicator.NumProc() == 1;
 
     const auto make_map = [&](const unsigned int n, const unsigned int c) {
@@ -167,7 +167,8 @@ namespace seiche
           indices.push_back(partitioner.local_to_global(i) * c + d);
       return Epetra_Map(-1, indices.size(), indices.data(), 0, communicator);
     };
-    const Epetra_Map node_all = make_map(n_all, 1), node_own = make_map(n_own, 1);
+    const Epetra_Map node_all      = make_map(n_all, 1),
+                     node_own      = make_map(n_own, 1);
     const Epetra_Map component_all = make_map(n_all, dim),
                      component_own = make_map(n_own, dim);
     node_export = std::make_unique<Epetra_Export>(node_all, node_own);
@@ -178,10 +179,10 @@ namespace seiche
     for (unsigned int b = 0; b < (with_pressure ? 4 : 1); ++b)
       {
         const unsigned int n_r = b < 2 ? dim : 1, n_c = b % 2 == 0 ? dim : 1;
-        const Epetra_Map  &rows    = n_r == 1 ? node_all : component_all;
-        const Epetra_Map  &cols    = n_c == 1 ? node_all : component_all;
-        const Epetra_Map  &range   = n_r == 1 ? node_own : component_own;
-        const Epetra_Map  &domain  = n_c == 1 ? node_own : component_own;
+        const Epetra_Map  &rows   = n_r == 1 ? node_all : component_all;
+        const Epetra_Map  &cols   = n_c == 1 ? node_all : component_all;
+        const Epetra_Map  &range  = n_r == 1 ? node_own : component_own;
+        const Epetra_Map  &domain = n_c == 1 ? node_own : component_own;
         std::vector<int>   lengths;
         for (unsigned int i = 0; i < n_all; ++i)
           lengths.insert(lengths.end(),
@@ -199,12 +200,14 @@ namespace seiche
           }
         graph.FillComplete(domain, range);
         graph.OptimizeStorage();
-        Matrices &matrices  = blocks[b];
-        matrices.assembled  = std::make_unique<Epetra_CrsMatrix>(Copy, graph);
+        Matrices &matrices = blocks[b];
+        matrices.assembled = std::make_unique<Epetra_CrsMatrix>(Copy, graph);
         matrices.assembled->FillComplete(domain, range);
-        int    *offsets, *indices;
-        const int error = matrices.assembled->ExtractCrsDataPointers(
-          offsets, indices, matrices.values);
+        int      *offsets, *indices;
+        const int error =
+          matrices.assembled->ExtractCrsDataPointers(offsets,
+                                                     indices,
+                                                     matrices.values);
         AssertThrow(error == 0, ExcMessage("Trilinos storage is not packed"));
         matrices.owned.reset();
         if (!serial)
@@ -215,7 +218,8 @@ namespace seiche
                              Insert);
             own_graph.FillComplete(domain, range);
             own_graph.OptimizeStorage();
-            matrices.owned = std::make_unique<Epetra_CrsMatrix>(Copy, own_graph);
+            matrices.owned =
+              std::make_unique<Epetra_CrsMatrix>(Copy, own_graph);
             matrices.owned->FillComplete(domain, range);
           }
         matrices.system =
@@ -249,7 +253,8 @@ namespace seiche
         for (unsigned int i = 0; i < dim; ++i)
           if (!(fixed[a] & (1u << i)))
             {
-              double *row = blocks[uu].values + dim * (dim * begin + i * length);
+              double *row =
+                blocks[uu].values + dim * (dim * begin + i * length);
               for (unsigned int b = 0; b < n_nodes; ++b)
                 for (unsigned int j = 0; j < dim; ++j)
                   if (!(fixed[b] & (1u << j)))
@@ -291,12 +296,14 @@ namespace seiche
         const unsigned int fixed  = occupancy.fixed_components(row);
         for (unsigned int b = 0; b < n; ++b)
           {
-            const unsigned int k     = position(row, face.nodes[b]);
-            const unsigned int other = occupancy.fixed_components(face.nodes[b]);
+            const unsigned int k = position(row, face.nodes[b]);
+            const unsigned int other =
+              occupancy.fixed_components(face.nodes[b]);
             for (unsigned int i = 0; i < dim; ++i)
               if (!((fixed | other) & (1u << i)))
-                blocks[uu].values[dim * (dim * begin + i * length) + dim * k +
-                                  i] += velocity_coefficient * face.B[a][b];
+                blocks[uu]
+                  .values[dim * (dim * begin + i * length) + dim * k + i] +=
+                  velocity_coefficient * face.B[a][b];
             if (with_pressure)
               blocks[pp].values[begin + k] +=
                 pressure_coefficient * face.B[a][b];
@@ -339,16 +346,17 @@ namespace seiche
   void
   BlockMatrix<dim>::vmult(BlockVector &dst, const BlockVector &src) const
   {
-    const auto multiply = [&](const Block                                     b,
-                              LinearAlgebra::distributed::Vector<double>      &y,
-                              const LinearAlgebra::distributed::Vector<double> &x) {
-      const Epetra_CrsMatrix &matrix = *blocks[b].system;
-      const Epetra_Vector     source(View,
-                                 matrix.DomainMap(),
-                                 const_cast<double *>(x.begin()));
-      Epetra_Vector target(View, matrix.RangeMap(), y.begin());
-      matrix.Multiply(false, source, target);
-    };
+    const auto multiply =
+      [&](const Block                                       b,
+          LinearAlgebra::distributed::Vector<double>       &y,
+          const LinearAlgebra::distributed::Vector<double> &x) {
+        const Epetra_CrsMatrix &matrix = *blocks[b].system;
+        const Epetra_Vector     source(View,
+                                   matrix.DomainMap(),
+                                   const_cast<double *>(x.begin()));
+        Epetra_Vector           target(View, matrix.RangeMap(), y.begin());
+        matrix.Multiply(false, source, target);
+      };
     multiply(uu, dst.block(0), src.block(0));
     if (with_pressure)
       {

@@ -80,16 +80,15 @@ namespace seiche
                                        const Vector            &mass,
                                        const bool               is_closed)
   {
-    matrix                    = &system_matrix;
-    closed                    = is_closed;
-    const StepCoefficients &c = assembler.coefficients();
+    matrix                            = &system_matrix;
+    closed                            = is_closed;
+    const StepCoefficients &c         = assembler.coefficients();
     const Occupancy<dim>   &occupancy = matrix->occupancy;
-    const double            viscosity =
-      c.viscous ? material.law.tangent_viscosity() : 0.;
-    const double inertia = material.density * c.inertia;
-    const double h       = occupancy.smallest_extent();
-    const double bulk =
-      matrix->has_pressure() ? assembler.reference_tau(h).continuity :
+    const double viscosity = c.viscous ? material.law.tangent_viscosity() : 0.;
+    const double inertia   = material.density * c.inertia;
+    const double h         = occupancy.smallest_extent();
+    const double bulk      = matrix->has_pressure() ?
+                               assembler.reference_tau(h).continuity :
                                material.bulk_modulus;
     initialize_velocity((2. * viscosity * c.rate + bulk) / (inertia * h * h),
                         c.inertia);
@@ -186,7 +185,7 @@ namespace seiche
 
   template <int dim>
   void
-  BlockPreconditioner<dim>::initialize_schur(const Assembler<dim> &assembler,
+  BlockPreconditioner<dim>::initialize_schur(const Assembler<dim>    &assembler,
                                              const MaterialConstants &material)
   {
     const StepCoefficients        &c = assembler.coefficients();

@@ -53,8 +53,8 @@ namespace seiche
                  typename BlockMatrix<dim>::BlockVector       &solution,
                  const typename BlockMatrix<dim>::BlockVector &right_hand_side)
   {
-    using Matrix               = BlockMatrix<dim>;
-    const Epetra_CrsMatrix &A  = matrix.block(Matrix::uu);
+    using Matrix                = BlockMatrix<dim>;
+    const Epetra_CrsMatrix &A   = matrix.block(Matrix::uu);
     const int               n_u = A.NumGlobalRows();
     std::vector<int>        ids = global_ids(A.RowMap(), 0);
     if (matrix.has_pressure())
@@ -74,15 +74,15 @@ namespace seiche
     monolithic.FillComplete();
     if (closed && map.MyGID(n_u))
       {
-        const int pinned = n_u;
-        double    value;
-        int       n, index;
+        const int           pinned = n_u;
+        double              value;
+        int                 n, index;
         std::vector<double> values(monolithic.NumGlobalEntries(pinned));
         std::vector<int>    indices(values.size());
         monolithic.ExtractGlobalRowCopy(
           pinned, values.size(), n, values.data(), indices.data());
-        index = std::find(indices.begin(), indices.end(), pinned) -
-                indices.begin();
+        index =
+          std::find(indices.begin(), indices.end(), pinned) - indices.begin();
         value = 2. * values[index];
         monolithic.ReplaceGlobalValues(pinned, 1, &value, &pinned);
       }
@@ -95,7 +95,7 @@ namespace seiche
            ++i)
         b[k++] = right_hand_side.block(block).local_element(i);
 
-    Epetra_LinearProblem               problem(&monolithic, &x, &b);
+    Epetra_LinearProblem                     problem(&monolithic, &x, &b);
     const std::unique_ptr<Amesos_BaseSolver> solver(
       Amesos().Create("Amesos_Klu", problem));
     const bool success = solver->SymbolicFactorization() == 0 &&
@@ -109,11 +109,11 @@ namespace seiche
     return success;
   }
 
-#define INSTANTIATE(dim)                                     \
-  template bool solve_directly<dim>(                         \
-    const BlockMatrix<dim> &,                                \
-    const bool,                                              \
-    typename BlockMatrix<dim>::BlockVector &,                \
+#define INSTANTIATE(dim)                      \
+  template bool solve_directly<dim>(          \
+    const BlockMatrix<dim> &,                 \
+    const bool,                               \
+    typename BlockMatrix<dim>::BlockVector &, \
     const typename BlockMatrix<dim>::BlockVector &);
   INSTANTIATE(2)
   INSTANTIATE(3)

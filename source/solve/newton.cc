@@ -58,7 +58,7 @@ namespace seiche
   typename Newton<dim>::Norms
   Newton<dim>::scales(const GridState<dim> &state) const
   {
-    const double g = assembler.body_force_scale();
+    const double g     = assembler.body_force_scale();
     double       force = 0., volume = 0.;
     for (unsigned int i = 0; i < state.mass.locally_owned_size(); ++i)
       {
@@ -117,9 +117,9 @@ namespace seiche
         ++result.iterations;
         if (!linear.converged)
           {
-            result.failure = fmt::format(
-              "the linear solver stopped after {} iterations",
-              linear.iterations);
+            result.failure =
+              fmt::format("the linear solver stopped after {} iterations",
+                          linear.iterations);
             return result;
           }
         state.solution.zero_out_ghost_values();

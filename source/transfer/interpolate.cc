@@ -20,8 +20,9 @@ namespace seiche
              p < points.first_point(cell + 1);
              ++p)
           {
-            LinearShape<dim>::values(
-              points.locator.to_unit(cell, points.position(p)), N);
+            LinearShape<dim>::values(points.locator.to_unit(cell,
+                                                            points.position(p)),
+                                     N);
             for (unsigned int c = 0; c < dim; ++c)
               {
                 double sum = 0.;
@@ -33,11 +34,11 @@ namespace seiche
       }
   }
 
-#define INSTANTIATE(dim)                           \
-  template void interpolate_to_points<dim>(        \
-    const Occupancy<dim> &,                        \
-    const typename Occupancy<dim>::Vector &,       \
-    const PointColumn,                             \
+#define INSTANTIATE(dim)                     \
+  template void interpolate_to_points<dim>(  \
+    const Occupancy<dim> &,                  \
+    const typename Occupancy<dim>::Vector &, \
+    const PointColumn,                       \
     PointCloud<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -101,10 +101,10 @@ namespace seiche
         {
           // A point alone in its cell defines no gradient: C would feed on
           // itself through nodes of little mass, and spray explode.
-          const auto sum = affine && points.n_points_in(cell) > 1 ?
-                             sum_cell<dim, affine, with_acceleration> :
-                             sum_cell<dim, false, with_acceleration>;
-          const CellSums<dim> sums = sum(arrays,
+          const auto          sum   = affine && points.n_points_in(cell) > 1 ?
+                                        sum_cell<dim, affine, with_acceleration> :
+                                        sum_cell<dim, false, with_acceleration>;
+          const CellSums<dim> sums  = sum(arrays,
                                          points.first_point(cell),
                                          points.first_point(cell + 1),
                                          locator.lower_corner(cell),

@@ -28,7 +28,7 @@ namespace seiche
     // --- input
     StepCoefficients       coefficients;
     dealii::Tensor<1, dim> extent;         ///< edge lengths [m]
-    double                 size = 0.;      ///< |K|^(1/dim) [m]
+    double                 size   = 0.;    ///< |K|^(1/dim) [m]
     bool                   sliver = false; ///< lumped mass, averaged tau1 term
     double                 start_speed = 0.; ///< |v_0| at the centre [m/s]
     CellQuadrature<dim>    quadrature;

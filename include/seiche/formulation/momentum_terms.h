@@ -108,8 +108,7 @@ namespace seiche
                         const dealii::Tensor<2, dim> &velocity_gradient)
     {
       const auto            &g = point.gradient_t;
-      dealii::Tensor<2, dim> m =
-        -cell.coefficients.theta * velocity_gradient;
+      dealii::Tensor<2, dim> m = -cell.coefficients.theta * velocity_gradient;
       for (unsigned int i = 0; i < dim; ++i)
         m[i][i] += cell.coefficients.rate;
 

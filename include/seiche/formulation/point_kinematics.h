@@ -95,8 +95,7 @@ namespace seiche
 
     /// N and gradient_n only.
     void
-    shape(const dealii::Point<dim>     &unit,
-          const dealii::Tensor<1, dim> &extent)
+    shape(const dealii::Point<dim> &unit, const dealii::Tensor<1, dim> &extent)
     {
       // factor[d][0/1]: the one-dimensional shape functions
       double factor[dim][2];

@@ -26,11 +26,11 @@ namespace seiche
    */
   struct StabilizationParameters
   {
-    std::string  stabilization     = "ASGS";
-    std::string  tau               = "transient";
-    double       inertia_factor    = 1.;  // c_d
-    double       viscous_factor    = 4.;  // c_1
-    double       continuity_factor = 0.1; // c_2
+    std::string stabilization     = "ASGS";
+    std::string tau               = "transient";
+    double      inertia_factor    = 1.;  // c_d
+    double      viscous_factor    = 4.;  // c_1
+    double      continuity_factor = 0.1; // c_2
 
     void
     add_parameters(dealii::ParameterHandler &prm);

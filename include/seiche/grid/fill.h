@@ -107,12 +107,12 @@ namespace seiche
     void
     collect_ghost_faces();
 
-    const bool                gauss_in_full_cells;
-    std::vector<double>       weight, fill;
+    const bool                 gauss_in_full_cells;
+    std::vector<double>        weight, fill;
     std::vector<unsigned char> flags;
-    Vector                    node_fill;
-    std::vector<GhostFace>    faces;
-    double                    overfull = 0.;
+    Vector                     node_fill;
+    std::vector<GhostFace>     faces;
+    double                     overfull = 0.;
   };
 } // namespace seiche
 

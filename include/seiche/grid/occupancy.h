@@ -187,8 +187,8 @@ namespace seiche
     void
     exchange_to_ghosts(std::vector<double> &cell_values) const;
 
-    const CellLocator<dim>   &locator;
-    const dealii::FE_Q<dim>   fe;
+    const CellLocator<dim> &locator;
+    const dealii::FE_Q<dim> fe;
 
   private:
     // parts of reinit()
@@ -212,11 +212,12 @@ namespace seiche
 
     // full mesh, local numbering of locally relevant dofs
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> full_partitioner;
-    std::vector<unsigned int>              full_cell_nodes;
-    std::vector<unsigned int>              fixed_full;
-    std::vector<double>                    volume_full;
-    std::vector<dealii::Point<dim>>        position_full;
-    std::vector<std::vector<std::pair<dealii::types::boundary_id, unsigned int>>>
+    std::vector<unsigned int>                                  full_cell_nodes;
+    std::vector<unsigned int>                                  fixed_full;
+    std::vector<double>                                        volume_full;
+    std::vector<dealii::Point<dim>>                            position_full;
+    std::vector<
+      std::vector<std::pair<dealii::types::boundary_id, unsigned int>>>
                                            walls_full;
     std::vector<std::vector<unsigned int>> neighbors;
     std::uint64_t                          global_cells = 0;
@@ -224,13 +225,13 @@ namespace seiche
     bool                                   open_wall    = false;
 
     // compact numbering
-    unsigned int               numbering_generation = 0;
-    unsigned int               n_own                = 0;
-    std::uint64_t              global_occupied      = 0;
-    std::vector<unsigned int>  occupied, active;
-    std::vector<char>          occupied_flag, active_flag;
-    std::vector<unsigned int>  compact_cell_nodes;
-    std::vector<unsigned int>  full_of_compact;
+    unsigned int              numbering_generation = 0;
+    unsigned int              n_own                = 0;
+    std::uint64_t             global_occupied      = 0;
+    std::vector<unsigned int> occupied, active;
+    std::vector<char>         occupied_flag, active_flag;
+    std::vector<unsigned int> compact_cell_nodes;
+    std::vector<unsigned int> full_of_compact;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> node_partitioner;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
       component_partitioner;

@@ -24,7 +24,7 @@ namespace seiche
   template <int dim>
   struct CellQuadrature
   {
-    unsigned int size = 0;
+    unsigned int                                   size = 0;
     std::array<dealii::AlignedVector<double>, dim> unit; ///< [size] in [0,1]
     dealii::AlignedVector<double> mass;         ///< [kg], with the weight
     dealii::AlignedVector<double> volume;       ///< [m^dim] V0, with the weight

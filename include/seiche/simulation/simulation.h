@@ -63,35 +63,35 @@ namespace seiche
     std::set<PointColumn>
     point_columns() const;
 
-    Scene<dim>        &scene;
-    const std::string  directory;
-    const MPI_Comm     communicator;
-    RunReport         &report;
-    TimerTree          timer;
+    Scene<dim>       &scene;
+    const std::string directory;
+    const MPI_Comm    communicator;
+    RunReport        &report;
+    TimerTree         timer;
 
-    const BackgroundGrid<dim>                grid;
-    CellLocator<dim>                         locator;
-    const std::unique_ptr<TimeScheme<dim>>   time_scheme;
-    const std::unique_ptr<Formulation<dim>>  formulation;
-    PointCloud<dim>                          points;
-    const SeedingResult                      seeding;
-    Occupancy<dim>                           occupancy;
-    Fill<dim>                                fill;
-    const std::unique_ptr<Quadrature<dim>>   quadrature;
-    const BodyForce<dim>                     body_force;
-    const Transfer<dim>                      transfer;
-    GridState<dim>                           state;
-    BlockMatrix<dim>                         matrix;
-    Assembler<dim>                           assembler;
-    LinearSolver<dim>                        linear_solver;
-    VelocityProjection<dim>                  velocity_projection;
-    Newton<dim>                              newton;
-    TimeStepper                              time_stepper;
-    StatisticsTable                          statistics;
+    const BackgroundGrid<dim>               grid;
+    CellLocator<dim>                        locator;
+    const std::unique_ptr<TimeScheme<dim>>  time_scheme;
+    const std::unique_ptr<Formulation<dim>> formulation;
+    PointCloud<dim>                         points;
+    const SeedingResult                     seeding;
+    Occupancy<dim>                          occupancy;
+    Fill<dim>                               fill;
+    const std::unique_ptr<Quadrature<dim>>  quadrature;
+    const BodyForce<dim>                    body_force;
+    const Transfer<dim>                     transfer;
+    GridState<dim>                          state;
+    BlockMatrix<dim>                        matrix;
+    Assembler<dim>                          assembler;
+    LinearSolver<dim>                       linear_solver;
+    VelocityProjection<dim>                 velocity_projection;
+    Newton<dim>                             newton;
+    TimeStepper                             time_stepper;
+    StatisticsTable                         statistics;
 
     typename GridState<dim>::Vector inertia_offset, rate_offset;
 
-    NewtonResult  last;             ///< of the step just done
+    NewtonResult  last; ///< of the step just done
     std::uint64_t newton_total = 0, krylov_total = 0;
     std::uint64_t occupied_max = 0, unknowns_max = 0;
   };

@@ -124,11 +124,11 @@ namespace seiche
     unsigned int pattern_generation   = 0;
     unsigned int numbering_generation = 0;
 
-    std::vector<unsigned int> row_begin; // [n_local_nodes + 1]
-    std::vector<unsigned int> columns;   // local nodes, ascending in each row
-    std::vector<char>         covered_faces; // [cell * dim + direction]
-    std::vector<std::uint16_t> scatter;  // [cell][a][b] position in row a
-    std::array<Matrices, 4>   blocks;
+    std::vector<unsigned int>  row_begin; // [n_local_nodes + 1]
+    std::vector<unsigned int>  columns;   // local nodes, ascending in each row
+    std::vector<char>          covered_faces; // [cell * dim + direction]
+    std::vector<std::uint16_t> scatter;       // [cell][a][b] position in row a
+    std::array<Matrices, 4>    blocks;
     std::unique_ptr<Epetra_Export> node_export, component_export;
     mutable BlockVector            scratch;
   };

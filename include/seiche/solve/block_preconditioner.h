@@ -92,7 +92,7 @@ namespace seiche
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> velocity_amg;
 
     bool         use_ilu             = dim == 2;
-    unsigned int velocity_generation = 0; ///< pattern of the factors
+    unsigned int velocity_generation = 0;  ///< pattern of the factors
     double       velocity_inertia    = 0.; ///< C_a that they belong to
     double       velocity_factor     = 1.;
 

@@ -19,10 +19,10 @@ namespace seiche
   /// prm entries of the linear solver (subsection "Solver").
   struct LinearSolverParameters
   {
-    std::string  solver             = "automatic";
-    double       tolerance          = 1e-2;
+    std::string  solver               = "automatic";
+    double       tolerance            = 1e-2;
     double       projection_tolerance = 1e-3;
-    unsigned int maximum_iterations = 200;
+    unsigned int maximum_iterations   = 200;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -55,9 +55,9 @@ namespace seiche
     /// Use @p matrix, assembled with @p assembler's coefficients, for the
     /// next solves. @p mass: lumped nodal mass [kg]. Collective.
     void
-    initialize(const BlockMatrix<dim>                    &matrix,
-               const Assembler<dim>                      &assembler,
-               const typename GridState<dim>::Vector     &mass);
+    initialize(const BlockMatrix<dim>                &matrix,
+               const Assembler<dim>                  &assembler,
+               const typename GridState<dim>::Vector &mass);
 
     /// A new step: see BlockPreconditioner.
     void
@@ -93,8 +93,8 @@ namespace seiche
 
     const LinearSolverParameters parameters;
     const MaterialConstants      material;
-    const BlockMatrix<dim>      *matrix    = nullptr;
-    std::function<void()>        set_up;   ///< of the preconditioner
+    const BlockMatrix<dim>      *matrix = nullptr;
+    std::function<void()>        set_up; ///< of the preconditioner
     double                       row_scale = 1.;
     bool                         direct    = false;
     bool                         closed    = false; ///< p up to a constant

@@ -16,8 +16,9 @@ namespace seiche
    * on accelerations: v_0 = u/dt (doc/theory.md, "Projection of the start
    * velocity"). Forces stay in the configuration x_n (theta = 0): at u = 0 the
    * subscale residual is rho v_0/dt, and its geometric derivative would add
-   * the convective acceleration to the constraint. Without it the midpoint scheme repeats every violation in v_0
-   * with factor -rho_inf, which costs pressure noise 2 rho h dv/dt.
+   * the convective acceleration to the constraint. Without it the midpoint
+   * scheme repeats every violation in v_0 with factor -rho_inf, which costs
+   * pressure noise 2 rho h dv/dt.
    */
   template <int dim>
   class VelocityProjection
