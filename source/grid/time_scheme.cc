@@ -22,7 +22,7 @@ namespace seiche
     }
 
     /**
-     * Newmark (beta, gamma) with Bossak's weighted inertia (numerics 1.1):
+     * Newmark (beta, gamma) with Bossak's weighted inertia (doc/theory.md):
      * a = c_a u + a^, v = c_v u + v^, inertia (1 - alpha) a + alpha a_n.
      * alpha = 0, beta = 1/4, gamma = 1/2: the scheme of the founding paper.
      */
@@ -108,7 +108,7 @@ namespace seiche
     };
 
     /**
-     * Generalized midpoint with theta = 1/(1 + rho_inf) (numerics 1.8):
+     * Generalized midpoint with theta = 1/(1 + rho_inf) (doc/theory.md):
      * a = (v_1 - v_0)/dt, u = dt (theta v_1 + (1 - theta) v_0), forces in the
      * theta configuration, constraint at the end of the step.
      */

@@ -148,6 +148,23 @@ namespace seiche
 
   template <int dim>
   void
+  BackgroundGrid<dim>::balance(
+    const std::function<bool(const dealii::Point<dim> &)> &holds_fluid)
+  {
+    // empty cells cost no time but memory
+    constexpr unsigned int empty_weight = 1, fluid_weight = 1000;
+    const auto             connection   = triangulation.signals.weight.connect(
+      [&](const auto &cell, const auto) -> unsigned int {
+        return holds_fluid(cell->center()) ? fluid_weight : empty_weight;
+      });
+    triangulation.repartition();
+    connection.disconnect();
+  }
+
+
+
+  template <int dim>
+  void
   BackgroundGrid<dim>::make_coarse_cells()
   {
     std::vector<std::vector<double>> spacings(dim);

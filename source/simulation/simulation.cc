@@ -10,6 +10,31 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Shares the fluid's cells out among the ranks, as they are at the start.
+    template <int dim>
+    const BackgroundGrid<dim> &
+    balanced(BackgroundGrid<dim> &grid, const Scene<dim> &scene)
+    {
+      if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+        {
+          std::vector<std::unique_ptr<Region<dim>>> regions;
+          for (const auto &body : scene.bodies)
+            regions.push_back(
+              body.make_region(scene.input, scene.grid.domain()));
+          grid.balance([&](const Point<dim> &x) {
+            return std::any_of(regions.begin(),
+                               regions.end(),
+                               [&](const auto &region) {
+                                 return region->contains(x);
+                               });
+          });
+        }
+      return grid;
+    }
+  } // namespace
+
   template <int dim>
   Simulation<dim>::Simulation(Scene<dim>        &run_scene,
                               const std::string &output_directory,
@@ -19,7 +44,7 @@ namespace seiche
     , communicator(MPI_COMM_WORLD)
     , report(run_report)
     , grid(scene.grid, communicator)
-    , locator(grid)
+    , locator(balanced(grid, scene))
     , time_scheme(make_time_scheme<dim>(scene.time_scheme))
     , formulation(make_formulation<dim>(scene.formulation, scene.material()))
     , points(locator, point_columns(), communicator)

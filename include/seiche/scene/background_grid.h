@@ -8,6 +8,7 @@
 #include <deal.II/distributed/tria.h>
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -127,6 +128,12 @@ namespace seiche
     /// Collective. @p grid_parameters must outlive the grid.
     BackgroundGrid(const GridParameters<dim> &grid_parameters,
                    MPI_Comm                   communicator);
+
+    /// Divide the cells among the ranks so that each gets an equal share of
+    /// those whose centre @p holds_fluid; before any use of the cells.
+    /// Collective.
+    void
+    balance(const std::function<bool(const dealii::Point<dim> &)> &holds_fluid);
 
     const std::vector<Segment> &
     segments(const unsigned int direction) const;

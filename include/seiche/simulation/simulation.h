@@ -69,7 +69,7 @@ namespace seiche
     RunReport        &report;
     TimerTree         timer;
 
-    const BackgroundGrid<dim>               grid;
+    BackgroundGrid<dim>                     grid;
     CellLocator<dim>                        locator;
     const std::unique_ptr<TimeScheme<dim>>  time_scheme;
     const std::unique_ptr<Formulation<dim>> formulation;

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Every tangent against central differences of its residual, block by block,
+// at random states of one cell with random quadrature points.
+#include <seiche/formulation/formulation.h>
+
+#include <iostream>
+#include <limits>
+#include <random>
+
+using namespace seiche;
+
+namespace
+{
+  constexpr double step = 1e-6;
+
+  std::mt19937 generator(1);
+
+  double
+  random(const double scale)
+  {
+    return scale *
+           (2. * (generator() / static_cast<double>(generator.max())) - 1.);
+  }
+
+  template <int dim>
+  void
+  fill_cell(CellData<dim> &cell, const double theta, const bool sliver)
+  {
+    const double dt                   = 0.05;
+    cell.coefficients                 = StepCoefficients();
+    cell.coefficients.dt              = dt;
+    cell.coefficients.theta           = theta;
+    cell.coefficients.inertia         = 1. / (theta * dt * dt);
+    cell.coefficients.rate            = 1. / dt;
+    cell.coefficients.volume_recovery = 0.1;
+    cell.sliver                       = sliver;
+    cell.size                         = 0.4;
+    cell.start_speed                  = 1.3;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        cell.extent[d]              = 0.4 + 0.1 * d;
+        cell.constant_body_force[d] = -9.81 + d;
+      }
+    cell.quadrature.clear();
+    for (unsigned int q = 0; q < 9; ++q)
+      {
+        dealii::Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = 0.5 + random(0.5);
+        const double volume = 0.01 * (1. + random(0.3));
+        cell.quadrature.push_back(x, 3. * volume, volume, 1. + random(0.05));
+      }
+  }
+
+  /// Unknowns: u component by component, then p.
+  template <int dim>
+  void
+  set_state(CellData<dim>                    &cell,
+            const std::vector<double>        &x,
+            const std::vector<double>        &offsets)
+  {
+    constexpr unsigned int n = CellData<dim>::n_nodes;
+    const auto            &c = cell.coefficients;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int a = 0; a < n; ++a)
+        {
+          const double u           = x[i * n + a];
+          cell.displacement[i][a]  = u;
+          cell.acceleration[i][a]  = c.inertia * u + offsets[i * n + a];
+          cell.rate_velocity[i][a] = c.rate * u + 0.1 * offsets[i * n + a];
+        }
+    for (unsigned int a = 0; a < n; ++a)
+      cell.pressure[a] = x[dim * n + a];
+  }
+
+  template <int dim>
+  double
+  residual_entry(const CellData<dim> &cell, const unsigned int row)
+  {
+    constexpr unsigned int n = CellData<dim>::n_nodes;
+    return row < dim * n ? cell.residual_u[row / n][row % n] :
+                           cell.residual_p[row - dim * n];
+  }
+
+  template <int dim>
+  double
+  tangent_entry(const CellData<dim> &cell,
+                const unsigned int   row,
+                const unsigned int   column)
+  {
+    constexpr unsigned int n = CellData<dim>::n_nodes;
+    const bool             u_row = row < dim * n, u_column = column < dim * n;
+    const unsigned int     a = row % n, b = column % n;
+    if (u_row && u_column)
+      return cell.uu[row / n][column / n][a][b];
+    if (u_row)
+      return cell.up[row / n][a][b];
+    if (u_column)
+      return cell.pu[column / n][a][b];
+    return cell.pp[a][b];
+  }
+
+  /// Largest error of a block over the block's largest entry, over all blocks.
+  template <int dim>
+  double
+  tangent_error(const Formulation<dim> &formulation, CellData<dim> &cell)
+  {
+    constexpr unsigned int n = CellData<dim>::n_nodes;
+    const unsigned int     n_unknowns =
+      n * (formulation.has_pressure() ? dim + 1 : dim);
+    std::vector<double> x(n * (dim + 1)), offsets(n * dim);
+    for (unsigned int i = 0; i < x.size(); ++i)
+      x[i] = random(i < dim * n ? 0.02 : 3.);
+    for (double &offset : offsets)
+      offset = random(2.);
+
+    set_state(cell, x, offsets);
+    formulation.tangent(cell);
+    double error[2][2] = {}, size[2][2] = {};
+    for (unsigned int column = 0; column < n_unknowns; ++column)
+      {
+        const double        h = column < dim * n ? step : 100. * step;
+        std::vector<double> differences(n_unknowns);
+        for (const double sign : {1., -1.})
+          {
+            std::vector<double> moved = x;
+            moved[column] += sign * h;
+            set_state(cell, moved, offsets);
+            formulation.residual(cell);
+            for (unsigned int row = 0; row < n_unknowns; ++row)
+              differences[row] += sign * residual_entry(cell, row) / (2. * h);
+          }
+        for (unsigned int row = 0; row < n_unknowns; ++row)
+          {
+            double &e = error[row >= dim * n][column >= dim * n];
+            double &s = size[row >= dim * n][column >= dim * n];
+            e         = std::max(e,
+                         std::abs(differences[row] -
+                                  tangent_entry(cell, row, column)));
+            s         = std::max(s, std::abs(differences[row]));
+          }
+      }
+    double worst = 0.;
+    for (unsigned int r = 0; r < 2; ++r)
+      for (unsigned int c = 0; c < 2; ++c)
+        if (size[r][c] > 0.)
+          worst = std::max(worst, error[r][c] / size[r][c]);
+    return worst;
+  }
+
+  template <int dim>
+  void
+  test()
+  {
+    const double infinite = std::numeric_limits<double>::infinity();
+    CellData<dim> cell;
+    for (const char *name : {"displacement-pressure", "displacement"})
+      for (const char *stabilization : {"ASGS", "none"})
+        for (const char *tau : {"transient", "paper"})
+          for (const double viscosity : {0., 0.7})
+            for (const double kappa : {50., infinite})
+              for (const double theta : {0.5, 0.6, 1.})
+                for (const bool sliver : {false, true})
+                  {
+                    FormulationParameters parameters;
+                    parameters.name                        = name;
+                    parameters.stabilization.stabilization = stabilization;
+                    parameters.stabilization.tau           = tau;
+                    if (!parameters.is_mixed() && std::isinf(kappa))
+                      continue;
+                    const auto formulation = make_formulation<dim>(
+                      parameters, {3., kappa, NewtonianLaw{viscosity}});
+                    fill_cell(cell, theta, sliver);
+                    const double error = tangent_error(*formulation, cell);
+                    std::cout << dim << "D " << name << ' ' << stabilization
+                              << ' ' << tau << " mu " << viscosity << " kappa "
+                              << kappa << " theta " << theta
+                              << (sliver ? " sliver" : "") << ": "
+                              << (error < 1e-6 ? "exact" : "WRONG") << '\n';
+                    if (!(error < 1e-6))
+                      std::cout << "  relative error " << error << '\n';
+                  }
+  }
+} // namespace
+
+int
+main()
+{
+  test<2>();
+  test<3>();
+}
