@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Run a scene on 1 and 2 ranks, or on mirrored halves, and compare numbers.
+"""Run a scene on 1 and 2 ranks and compare, or check its mirror symmetry.
 
-compare_ranks.py SEICHE MPIRUN SCENE.prm [--mirror-y] [--set "S/E = v"]...
+compare_ranks.py SEICHE MPIRUN SCENE.prm [--mirror-y Y] [--set "S/E = v"]...
 
 Ranks: all columns of statistics.csv but the iteration counts agree to 1e-8 of
 each column's largest value (or of its scale, for columns that are zero but for
-round-off). --mirror-y: the momentum in y and its like stay zero instead.
+round-off). --mirror-y: a flow symmetric about the plane y = Y stays so instead.
 """
 import csv
 import os
@@ -52,22 +52,35 @@ def difference(name, one, other):
     return worst / max(scale(name, one), max(abs(a) for a, _ in pairs))
 
 
+def mirror_errors(columns, plane):
+    """What a flow that is symmetric about y = plane leaves at zero: momentum in
+    y, and moments about axes in the plane, over the mass (SI)."""
+
+    def column(name):
+        return next(columns[key] for key in columns if key.startswith(name))
+
+    p_x, p_y, p_z = (column(f"momentum {c} ") for c in "xyz")
+    l_x, l_z = (column(f"angular momentum {c} ") for c in "xz")
+    mass = columns["mass [kg]"][0]
+    return {
+        "momentum y": max(abs(p) for p in p_y) / mass,
+        "moment x": max(abs(l - plane * p) for l, p in zip(l_x, p_z)) / mass,
+        "moment z": max(abs(l + plane * p) for l, p in zip(l_z, p_x)) / mass,
+    }
+
+
 def main():
     seiche, mpirun, scene = sys.argv[1:4]
     options = sys.argv[4:]
-    mirror = "--mirror-y" in options
-    options = [o for o in options if o != "--mirror-y"]
+    plane = None
+    if "--mirror-y" in options:
+        at = options.index("--mirror-y")
+        plane = float(options[at + 1])
+        del options[at : at + 2]
     with tempfile.TemporaryDirectory() as folder:
         one = run(seiche, [], scene, options, os.path.join(folder, "1"))
-        if mirror:
-            errors = {
-                name: max(abs(v) for v in one[name]) / one["mass [kg]"][0]
-                for name in one
-                if name.startswith("momentum y")
-                or name in ("angular momentum x [kg m^2/s]", "angular momentum z [kg m^2/s]")
-            }
-            # about the mirror plane: the moments of a symmetric flow are those
-            # of its momentum times the plane's distance
+        if plane is not None:
+            errors = mirror_errors(one, plane)
         else:
             launcher = [mpirun, "-n", "2"]
             two = run(seiche, launcher, scene, options, os.path.join(folder, "2"))
