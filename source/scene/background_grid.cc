@@ -153,7 +153,7 @@ namespace seiche
   {
     // empty cells cost no time but memory
     constexpr unsigned int empty_weight = 1, fluid_weight = 1000;
-    const auto             connection   = triangulation.signals.weight.connect(
+    const auto             connection = triangulation.signals.weight.connect(
       [&](const auto &cell, const auto) -> unsigned int {
         return holds_fluid(cell->center()) ? fluid_weight : empty_weight;
       });

@@ -56,15 +56,18 @@ namespace seiche
                200;
     }
 
-    /// Counts differ a little between machines: "1-5", "6-10", ...
+    // of a step; Krylov iterations depend on rounding and on preconditioners
+    constexpr unsigned int newton_range = 10, krylov_range = 200;
+
+    /// Counts differ a little between machines: "1-10", "11-20", ...
     std::string
-    count_range(const double count)
+    count_range(const double count, const unsigned int width)
     {
       if (count <= 0.)
         return "0";
       const unsigned int lower =
-        5 * static_cast<unsigned int>((std::ceil(count) - 1.) / 5.);
-      return fmt::format("{}-{}", lower + 1, lower + 5);
+        width * static_cast<unsigned int>((std::ceil(count) - 1.) / width);
+      return fmt::format("{}-{}", lower + 1, lower + width);
     }
 
     /// Six digits; what is only rounding error is zero.
@@ -173,8 +176,8 @@ namespace seiche
                                 rounded(time),
                                 rounded(dt),
                                 rounded(energy),
-                                count_range(newton),
-                                count_range(krylov)));
+                                count_range(newton, newton_range),
+                                count_range(krylov, krylov_range)));
         return;
       }
     if (!(on_terminal ? (now - last_shown >= 1. || share >= 1.) : new_part))
@@ -333,11 +336,14 @@ namespace seiche
         test_line(fmt::format("{} {}", key, rounded(summary[key])));
 
     const double steps = std::max(1., summary.value("steps", 1.));
-    for (const char *key : {"newton_iterations", "krylov_iterations"})
+    for (const auto &[key, width] :
+         {std::make_pair("newton_iterations", newton_range),
+          std::make_pair("krylov_iterations", krylov_range)})
       if (summary.contains(key) && summary[key].is_number())
-        test_line(fmt::format("{} per step {}",
-                              key,
-                              count_range(summary[key].get<double>() / steps)));
+        test_line(
+          fmt::format("{} per step {}",
+                      key,
+                      count_range(summary[key].get<double>() / steps, width)));
 
     for (const char *part : {"ledger", "errors"})
       if (summary.contains(part))

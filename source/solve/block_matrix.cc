@@ -10,6 +10,18 @@ namespace seiche
 {
   using namespace dealii;
 
+  double &
+  diagonal_entry(const Epetra_CrsMatrix &matrix, const int row)
+  {
+    int     n;
+    double *values;
+    int    *columns;
+    matrix.ExtractMyRowView(row, n, values, columns);
+    const int *found = std::lower_bound(columns, columns + n, row);
+    Assert(found != columns + n && *found == row, ExcInternalError());
+    return values[found - columns];
+  }
+
   template <int dim>
   BlockMatrix<dim>::BlockMatrix(const Occupancy<dim> &grid_occupancy,
                                 const bool            pressure)
@@ -327,18 +339,15 @@ namespace seiche
           }
         if (b == up || b == pu)
           continue;
-        Epetra_Vector diagonal(matrices.system->RowMap());
-        matrices.system->ExtractDiagonalCopy(diagonal);
-        double largest = 0.;
-        diagonal.MaxValue(&largest);
-        if (largest <= 0.)
-          largest = 1.;
-        for (int i = 0; i < diagonal.MyLength(); ++i)
-          if (diagonal[i] == 0.)
-            {
-              const int index = matrices.system->GRID(i);
-              matrices.system->ReplaceGlobalValues(index, 1, &largest, &index);
-            }
+        const int n_rows  = matrices.system->NumMyRows();
+        double    largest = 0., own_largest = 0.;
+        for (int i = 0; i < n_rows; ++i)
+          own_largest =
+            std::max(own_largest, diagonal_entry(*matrices.system, i));
+        matrices.system->Comm().MaxAll(&own_largest, &largest, 1);
+        for (int i = 0; i < n_rows; ++i)
+          if (double &entry = diagonal_entry(*matrices.system, i); entry == 0.)
+            entry = largest > 0. ? largest : 1.;
       }
   }
 

@@ -12,7 +12,7 @@ namespace seiche
   {
     /// Chebyshev sweeps on the velocity block: the interval of D^-1 A is
     /// [largest/ratio, largest] with Gershgorin's bound for the largest.
-    constexpr unsigned int chebyshev_degree = 3;
+    constexpr unsigned int chebyshev_degree = 2;
     constexpr double       chebyshev_ratio  = 12.;
 
     /// Above this ratio of stiffness to inertia A is no mass matrix any more.
@@ -28,8 +28,6 @@ namespace seiche
     double
     gershgorin_bound(const Epetra_CrsMatrix &matrix)
     {
-      Epetra_Vector diagonal(matrix.RowMap());
-      matrix.ExtractDiagonalCopy(diagonal);
       double local = 0.;
       for (int i = 0; i < matrix.NumMyRows(); ++i)
         {
@@ -40,7 +38,7 @@ namespace seiche
           double sum = 0.;
           for (int k = 0; k < n; ++k)
             sum += std::abs(values[k]);
-          local = std::max(local, sum / std::abs(diagonal[i]));
+          local = std::max(local, sum / std::abs(diagonal_entry(matrix, i)));
         }
       double global = 0.;
       matrix.Comm().MaxAll(&local, &global, 1);
@@ -226,10 +224,8 @@ namespace seiche
       }
     if (closed)
       {
-        Epetra_Vector diagonal(schur->RowMap());
-        schur->ExtractDiagonalCopy(diagonal);
-        diagonal.Scale(1. + closed_shift);
-        schur->ReplaceDiagonalValues(diagonal);
+        for (int i = 0; i < schur->NumMyRows(); ++i)
+          diagonal_entry(*schur, i) *= 1. + closed_shift;
       }
     TrilinosWrappers::PreconditionAMG::AdditionalData data;
     data.elliptic              = true;
@@ -248,19 +244,14 @@ namespace seiche
     const Epetra_CrsMatrix &G = matrix->block(BlockMatrix<dim>::up);
     const Epetra_CrsMatrix &C = matrix->block(BlockMatrix<dim>::pu);
     Epetra_Vector           ones(G.DomainMap()), force(G.RangeMap());
-    Epetra_Vector           inverse(A.RowMap()), flux(C.RangeMap());
+    Epetra_Vector           flux(C.RangeMap());
     ones.PutScalar(1.);
     G.Multiply(false, ones, force);
-    A.ExtractDiagonalCopy(inverse);
-    inverse.Reciprocal(inverse);
-    force.Multiply(1., force, inverse, 0.);
+    for (int i = 0; i < force.MyLength(); ++i)
+      force[i] /= diagonal_entry(A, i);
     C.Multiply(false, force, flux);
-
-    Epetra_Vector diagonal(schur->RowMap());
-    schur->ExtractDiagonalCopy(diagonal);
-    for (int i = 0; i < diagonal.MyLength(); ++i)
-      diagonal[i] += factor * std::max(0., -flux[i]);
-    schur->ReplaceDiagonalValues(diagonal);
+    for (int i = 0; i < flux.MyLength(); ++i)
+      diagonal_entry(*schur, i) += factor * std::max(0., -flux[i]);
   }
 
   template <int dim>

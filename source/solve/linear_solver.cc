@@ -16,7 +16,7 @@ namespace seiche
     /// Systems with fewer unknowns (all ranks) are factorised. Measured, see
     /// doc/theory.md; a function of the global size only, so that all rank
     /// counts choose alike.
-    constexpr types::global_dof_index direct_below = 400;
+    constexpr types::global_dof_index direct_below = 250;
 
     /// The system with scaled pressure rows, as FGMRES wants it.
     template <int dim>

@@ -55,9 +55,9 @@ namespace
   /// Unknowns: u component by component, then p.
   template <int dim>
   void
-  set_state(CellData<dim>                    &cell,
-            const std::vector<double>        &x,
-            const std::vector<double>        &offsets)
+  set_state(CellData<dim>             &cell,
+            const std::vector<double> &x,
+            const std::vector<double> &offsets)
   {
     constexpr unsigned int n = CellData<dim>::n_nodes;
     const auto            &c = cell.coefficients;
@@ -88,7 +88,7 @@ namespace
                 const unsigned int   row,
                 const unsigned int   column)
   {
-    constexpr unsigned int n = CellData<dim>::n_nodes;
+    constexpr unsigned int n     = CellData<dim>::n_nodes;
     const bool             u_row = row < dim * n, u_column = column < dim * n;
     const unsigned int     a = row % n, b = column % n;
     if (u_row && u_column)
@@ -152,7 +152,7 @@ namespace
   void
   test()
   {
-    const double infinite = std::numeric_limits<double>::infinity();
+    const double  infinite = std::numeric_limits<double>::infinity();
     CellData<dim> cell;
     for (const char *name : {"displacement-pressure", "displacement"})
       for (const char *stabilization : {"ASGS", "none"})
