@@ -47,12 +47,6 @@ namespace seiche
               point.gradient(cell.rate_velocity, point.gradient_t);
             stress = material.law.stress(velocity_gradient);
           }
-        if (cell.coefficients.rate_constraint > 0.)
-          {
-            const Tensor<2, dim> l =
-              point.gradient(cell.rate_velocity, point.gradient_t);
-            constraint -= cell.coefficients.rate_constraint * trace(l * l);
-          }
         for (unsigned int i = 0; i < dim; ++i)
           stress[i][i] -= pressure + fine_pressure;
       }

@@ -24,7 +24,7 @@ namespace seiche
     prm.add_parameter("Tau inertia factor",
                       inertia_factor,
                       "Factor c_d of the inertia term in 1/tau1 [-]",
-                      Patterns::Double(0.));
+                      Patterns::Double(1e-6));
     prm.add_parameter("Tau viscous factor",
                       viscous_factor,
                       "Factor c_1 of the viscous term in 1/tau1 [-]",
@@ -35,6 +35,19 @@ namespace seiche
                       "suits disordered points over long times [-]",
                       Patterns::Double(0.));
     prm.leave_subsection();
+  }
+
+  double
+  StabilizationParameters::inverse_transient_tau(
+    const StepCoefficients &coefficients,
+    const double            density,
+    const double            viscosity,
+    const double            h,
+    const unsigned int      degree) const
+  {
+    const double k4 = static_cast<double>(degree * degree) * degree * degree;
+    return inertia_factor * density * coefficients.inertia +
+           viscous_factor * 2. * viscosity * coefficients.rate * k4 / (h * h);
   }
 
   Tau
@@ -50,13 +63,8 @@ namespace seiche
       return result;
     double inverse = 0.;
     if (tau == "transient")
-      {
-        const double k4 =
-          static_cast<double>(degree * degree) * degree * degree;
-        inverse =
-          inertia_factor * density * coefficients.inertia +
-          viscous_factor * 2. * viscosity * coefficients.rate * k4 / (h * h);
-      }
+      inverse =
+        inverse_transient_tau(coefficients, density, viscosity, h, degree);
     else
       {
         const double floored = std::max(speed, 1e-3 * h / coefficients.dt);

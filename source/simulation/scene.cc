@@ -75,8 +75,7 @@ namespace seiche
                        "the irreducible form needs a finite one [Pa], about "
                        "density * (10 * largest speed)^2; or set "
                        "Formulation/Name = displacement-pressure");
-    input_file.require(!formulation.is_mixed() ||
-                         std::isinf(fluid.bulk_modulus) ||
+    input_file.require(std::isinf(fluid.bulk_modulus) ||
                          volume_relaxation_time == 0.,
                        "Volume/Relaxation time",
                        "a finite Bulk modulus needs the whole volume error: "
@@ -84,10 +83,10 @@ namespace seiche
     input_file.require(
       transfer_method(transfer.method).update !=
           VelocityUpdate::flip_acceleration ||
-        time_scheme.scheme != "generalized midpoint",
+        time_scheme.scheme == "newmark",
       "Transfer/Method",
-      "FLIP acceleration needs the acceleration on the points: "
-      "set Time/Scheme to newmark or bossak, or another method");
+      "FLIP acceleration updates velocities by Newmark's rule: set Time/Scheme "
+      "= newmark, or another method");
   }
 
   template <int dim>

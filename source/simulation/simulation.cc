@@ -98,6 +98,8 @@ namespace seiche
     scene.postprocessors.make(directory, grid, communicator);
     find_material();
     prepare_start();
+    state.velocity_np1 = state.velocity_n; // what the first frame shows
+    state.velocity_np1.update_ghost_values();
     postprocess();
     while (!time_stepper.finished())
       {
@@ -143,6 +145,11 @@ namespace seiche
       const TimerTree::Scope scope(timer, "locate");
       points.locate();
     }
+    if (points.n_global() == 0)
+      throw NumericalError(
+        fmt::format("t = {:.6g} s: all fluid has left through open sides; set "
+                    "a smaller Time/End time",
+                    time_stepper.time()));
     {
       const TimerTree::Scope scope(timer, "occupancy and fill");
       occupancy.update(points);
@@ -208,10 +215,26 @@ namespace seiche
   {
     if (!time_scheme->needs_acceleration())
       return;
-    state.dt = scene.time.step;
+    state.dt       = scene.time.step;
+    bool converged = true;
     if (formulation->has_pressure())
-      velocity_projection.apply(state);
-    velocity_projection.consistent_start(state);
+      converged = velocity_projection.apply(state).converged;
+    converged =
+      converged && velocity_projection.consistent_start(state).converged;
+    if (!converged)
+      throw NumericalError("The consistent start (velocity, acceleration and "
+                           "pressure that satisfy the constraint) did not "
+                           "converge; set Solver/Linear solver = direct.");
+    // accelerations alone return to the points in this transfer
+    if (transfer_method(scene.transfer.method).update ==
+        VelocityUpdate::flip_acceleration)
+      {
+        typename GridState<dim>::Vector correction(state.velocity_start);
+        correction -= state.velocity_n;
+        correction.update_ghost_values();
+        interpolate_to_points(
+          occupancy, correction, PointColumn::velocity, points, /*keep=*/1.);
+      }
     interpolate_to_points(occupancy,
                           state.acceleration_n,
                           PointColumn::acceleration,

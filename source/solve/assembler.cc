@@ -230,32 +230,30 @@ namespace seiche
   {
     if (!data.coefficients.body_force)
       return 0.;
-    return data.body_force_varies ?
-             body_force
-               .value(occupancy.locator.grid.parameters.lower_corner,
-                      time + data.coefficients.theta * data.coefficients.dt)
-               .norm() :
-             data.constant_body_force.norm();
+    if (!data.body_force_varies)
+      return data.constant_body_force.norm();
+    double       largest = 0.;
+    const double t = time + data.coefficients.theta * data.coefficients.dt;
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      largest =
+        std::max(largest,
+                 body_force.value(occupancy.node_position(i), t).norm());
+    return Utilities::MPI::max(
+      largest, occupancy.scalar_partitioner()->get_mpi_communicator());
   }
 
   template <int dim>
   double
   Assembler<dim>::ghost_tau(const double size) const
   {
-    StabilizationParameters transient = formulation.stabilization;
-    transient.stabilization           = "ASGS";
-    transient.tau                     = "transient";
-    transient.inertia_factor          = 1.;
-    return transient
-      .evaluate(data.coefficients,
-                formulation.material.density,
-                data.coefficients.viscous ?
-                  formulation.material.law.tangent_viscosity() :
-                  0.,
-                size,
-                /*degree=*/1,
-                /*speed=*/0.)
-      .momentum;
+    return 1. / formulation.stabilization.inverse_transient_tau(
+                  data.coefficients,
+                  formulation.material.density,
+                  data.coefficients.viscous ?
+                    formulation.material.law.tangent_viscosity() :
+                    0.,
+                  size,
+                  /*degree=*/1);
   }
 
   template class Assembler<2>;

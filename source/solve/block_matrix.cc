@@ -327,6 +327,13 @@ namespace seiche
   void
   BlockMatrix<dim>::compress()
   {
+    // an occupied node may have a zero diagonal in D (no subscales), a node of
+    // the halo has nothing at all
+    std::vector<char> used(occupancy.n_local_nodes(), 0);
+    for (unsigned int cell = 0; cell < occupancy.locator.n_cells(); ++cell)
+      if (occupancy.is_occupied(cell))
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          used[occupancy.cell_nodes(cell)[a]] = 1;
     for (unsigned int b = 0; b < (with_pressure ? 4 : 1); ++b)
       {
         Matrices &matrices = blocks[b];
@@ -346,7 +353,8 @@ namespace seiche
             std::max(own_largest, diagonal_entry(*matrices.system, i));
         matrices.system->Comm().MaxAll(&own_largest, &largest, 1);
         for (int i = 0; i < n_rows; ++i)
-          if (double &entry = diagonal_entry(*matrices.system, i); entry == 0.)
+          if (double &entry = diagonal_entry(*matrices.system, i);
+              entry == 0. && (b == uu || !used[i]))
             entry = largest > 0. ? largest : 1.;
       }
   }

@@ -48,15 +48,7 @@ namespace seiche
 
   template <int dim>
   void
-  BlockPreconditioner<dim>::force_setup()
-  {
-    schur_amg.reset();
-    velocity_generation = 0;
-  }
-
-  template <int dim>
-  void
-  BlockPreconditioner<dim>::begin_step()
+  BlockPreconditioner<dim>::reset()
   {
     schur_amg.reset();
     velocity_generation = 0;
@@ -116,7 +108,8 @@ namespace seiche
         make_chebyshev(); // cheap: nothing to keep
         return;
       }
-    if (velocity_generation == matrix->generation())
+    if (velocity_generation == matrix->generation() &&
+        (velocity_amg != nullptr) == (stiffness >= mass_dominated_below))
       {
         velocity_factor = velocity_inertia / inertia;
         return;

@@ -101,12 +101,14 @@ namespace seiche
     const bool success = solver->SymbolicFactorization() == 0 &&
                          solver->NumericFactorization() == 0 &&
                          solver->Solve() == 0;
+    double norm = 0.;
+    x.Norm2(&norm);
     k = 0;
     for (unsigned int block = 0; block < solution.n_blocks(); ++block)
       for (unsigned int i = 0; i < solution.block(block).locally_owned_size();
            ++i)
         solution.block(block).local_element(i) = x[k++];
-    return success;
+    return success && std::isfinite(norm);
   }
 
 #define INSTANTIATE(dim)                      \

@@ -120,7 +120,7 @@ namespace seiche
         if (!result.converged)
           {
             const unsigned int wasted = result.iterations;
-            preconditioner.force_setup();
+            preconditioner.reset();
             set_up();
             result = solve_iteratively(solution, right_hand_side, tolerance);
             result.iterations += wasted;

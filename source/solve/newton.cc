@@ -95,7 +95,8 @@ namespace seiche
 
     Norms  now     = first;
     double forcing = largest_forcing;
-    while (now.momentum > target.momentum || now.volume > target.volume)
+    // not (a > b): a residual that is not a number has not converged
+    while (!(now.momentum <= target.momentum && now.volume <= target.volume))
       {
         if (result.iterations == parameters.maximum_iterations ||
             !std::isfinite(now.momentum + now.volume))

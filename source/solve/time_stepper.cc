@@ -107,6 +107,8 @@ namespace seiche
     const double rest = parameters.end_time - now;
     if (rest <= stretch * dt)
       dt = rest;
+    else if (parameters.control == "CFL" && rest < 2. * dt)
+      dt = 0.5 * rest; // no tiny last step
     return dt;
   }
 

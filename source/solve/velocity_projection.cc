@@ -5,6 +5,12 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Newmark never forgets an error of the start.
+    constexpr double start_tolerance = 1e-8;
+  } // namespace
+
   template <int dim>
   VelocityProjection<dim>::VelocityProjection(Assembler<dim>    &a,
                                               BlockMatrix<dim>  &m,
@@ -22,7 +28,8 @@ namespace seiche
                                  const StepCoefficients &coefficients,
                                  const Vector           &inertia_offset,
                                  const Vector           &rate_offset,
-                                 BlockVector            &solution)
+                                 BlockVector            &solution,
+                                 const double            reduction)
   {
     state.solution = 0.;
     state.solution.update_ghost_values();
@@ -36,7 +43,7 @@ namespace seiche
     solver.initialize(matrix, assembler, state.mass);
     BlockVector        update(state.solution);
     const LinearResult result =
-      solver.solve(update, right_hand_side, tolerance);
+      solver.solve(update, right_hand_side, reduction);
     solution += update;
     return result;
   }
@@ -65,7 +72,7 @@ namespace seiche
     guess.block(0).zero_out_ghost_values();
     guess.block(0) *= dt;
     const LinearResult result =
-      solve(state, c, inertia_offset, rate_offset, guess);
+      solve(state, c, inertia_offset, rate_offset, guess, tolerance);
     state.velocity_start.zero_out_ghost_values();
     state.velocity_start.equ(1. / dt, guess.block(0));
     state.velocity_start.update_ghost_values();
@@ -92,7 +99,7 @@ namespace seiche
     BlockVector  update(state.solution);
     update = 0.;
     const LinearResult result =
-      solve(state, c, zero, state.velocity_start, update);
+      solve(state, c, zero, state.velocity_start, update, start_tolerance);
     state.acceleration_n.zero_out_ghost_values();
     state.acceleration_n.equ(1. / (dt * dt), update.block(0));
     state.acceleration_n.update_ghost_values();

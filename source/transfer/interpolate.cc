@@ -9,7 +9,8 @@ namespace seiche
   interpolate_to_points(const Occupancy<dim>                  &occupancy,
                         const typename Occupancy<dim>::Vector &field,
                         const PointColumn                      column,
-                        PointCloud<dim>                       &points)
+                        PointCloud<dim>                       &points,
+                        const double                           keep)
   {
     constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
     double                 N[n_nodes];
@@ -28,7 +29,8 @@ namespace seiche
                 double sum = 0.;
                 for (unsigned int a = 0; a < n_nodes; ++a)
                   sum += N[a] * field.local_element(dim * nodes[a] + c);
-                points.data(column, c)[p] = sum;
+                double &value = points.data(column, c)[p];
+                value         = keep * value + sum;
               }
           }
       }
@@ -39,7 +41,8 @@ namespace seiche
     const Occupancy<dim> &,                  \
     const typename Occupancy<dim>::Vector &, \
     const PointColumn,                       \
-    PointCloud<dim> &);
+    PointCloud<dim> &,                       \
+    const double);
   INSTANTIATE(2)
   INSTANTIATE(3)
 } // namespace seiche

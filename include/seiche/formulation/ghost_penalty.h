@@ -35,10 +35,9 @@ namespace seiche
   /// B = int_F [dn N_a][dn N_b] [m^(dim-3)].
   struct GhostCoefficients
   {
-    double acceleration =
-      0.;                 ///< gamma_a rho h^3 [kg m^(3-dim)]...: R_u += . B a
-    double velocity = 0.; ///< gamma_v rho h^3/T_v, thin faces: R_u += . B v
-    double pressure = 0.; ///< gamma_p tau1 h: R_p += . B p
+    double acceleration = 0.; ///< gamma_a rho h^3: R_u += . B a
+    double velocity     = 0.; ///< gamma_v rho h^3/T_v, thin faces: R_u += . B v
+    double pressure     = 0.; ///< gamma_p tau1 h: R_p += . B p
   };
 
   /**

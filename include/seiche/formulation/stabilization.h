@@ -49,6 +49,14 @@ namespace seiche
       return tau == "transient";
     }
 
+    /// 1/tau1 [N/m^4] of the transient choice, also used by the ghost penalty.
+    double
+    inverse_transient_tau(const StepCoefficients &coefficients,
+                          const double            density,
+                          const double            viscosity,
+                          const double            h,
+                          const unsigned int      degree) const;
+
     /**
      * transient: 1/tau1 = c_d rho C_a + c_1 2 mu c_r k^4/h^2 (Badia and
      * Codina 2009, in displacements). paper: 1/tau1 = c_1 2 mu/(h^2 dt) +

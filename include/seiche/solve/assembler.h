@@ -61,7 +61,8 @@ namespace seiche
     double
     ghost_tau(const double size) const;
 
-    /// Size of the body acceleration [m/s^2], zero if it is switched off.
+    /// Largest body acceleration [m/s^2], zero if it is switched off.
+    /// Collective.
     double
     body_force_scale() const;
 

@@ -35,7 +35,7 @@ namespace seiche
     using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
 
     /// Set up for a newly assembled matrix. Hierarchies and factors are kept
-    /// until begin_step(): their values only steer convergence, and the
+    /// until reset(): their values only steer convergence, and the
     /// matrices of a step differ by a factor above all. (Keeping them longer
     /// costs more than it saves: a cell that has become occupied since is
     /// unknown to them.) Collective.
@@ -46,13 +46,10 @@ namespace seiche
                const Vector            &mass,
                const bool               closed);
 
-    /// A new step: what was set up is outdated.
+    /// Drop everything (a new step, a failed solve): the next initialize()
+    /// builds all of it.
     void
-    begin_step();
-
-    /// Drop everything: the next initialize() builds all of it.
-    void
-    force_setup();
+    reset();
 
     /// Iterations of the last solve: a slow one changes P_A of the next.
     void

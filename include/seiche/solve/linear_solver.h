@@ -59,11 +59,11 @@ namespace seiche
                const Assembler<dim>                  &assembler,
                const typename GridState<dim>::Vector &mass);
 
-    /// A new step: see BlockPreconditioner.
+    /// A new step: nothing that was set up before is used again.
     void
     begin_step()
     {
-      preconditioner.begin_step();
+      preconditioner.reset();
     }
 
     /// Reduce the scaled residual by @p tolerance, from zero; a solve that
@@ -77,13 +77,6 @@ namespace seiche
     /// sqrt(sum of squares) of a residual with the pressure's row scaling.
     double
     norm(const BlockVector &residual) const;
-
-    /// Factor [Pa/m] of the pressure rows.
-    double
-    pressure_row_scale() const
-    {
-      return row_scale;
-    }
 
   private:
     LinearResult

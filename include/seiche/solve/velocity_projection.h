@@ -49,13 +49,14 @@ namespace seiche
     using BlockVector = typename GridState<dim>::BlockVector;
 
     /// Solve the system that is linear about u = p = 0, starting from
-    /// @p solution.
+    /// @p solution, until the residual has fallen by @p reduction.
     LinearResult
     solve(GridState<dim>         &state,
           const StepCoefficients &coefficients,
           const Vector           &inertia_offset,
           const Vector           &rate_offset,
-          BlockVector            &solution);
+          BlockVector            &solution,
+          const double            reduction);
 
     Assembler<dim>    &assembler;
     BlockMatrix<dim>  &matrix;

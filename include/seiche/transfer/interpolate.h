@@ -7,14 +7,15 @@
 
 namespace seiche
 {
-  /// Set a vector column of the points to a nodal vector field (ghosts valid)
-  /// at their positions. Local.
+  /// Set a vector column of the points to @p keep times itself plus a nodal
+  /// vector field (ghosts valid) at their positions. Local.
   template <int dim>
   void
   interpolate_to_points(const Occupancy<dim>                  &occupancy,
                         const typename Occupancy<dim>::Vector &field,
                         const PointColumn                      column,
-                        PointCloud<dim>                       &points);
+                        PointCloud<dim>                       &points,
+                        const double                           keep = 0.);
 } // namespace seiche
 
 #endif
