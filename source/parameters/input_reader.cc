@@ -343,7 +343,11 @@ namespace seiche
           throw InputError(origin +
                            ": write --set \"Subsection/Entry = value\".");
 
-        const std::string path     = joined(names);
+        const std::string path = joined(names);
+        if (text.subsections.count(path) > 0)
+          throw InputError(origin + ": \"" + path +
+                           "\" is a subsection; write --set \"" + path +
+                           "/Entry = value\".");
         const auto [first, is_new] = given.emplace(path, origin);
         if (!is_new)
           throw InputError(origin + ": entry \"" + names.back() +

@@ -119,9 +119,17 @@ namespace seiche
     RunReport          report({directory, scene.time.end_time, scene.test_log},
                      communicator);
     Simulation<dim>    simulation(scene, directory, report);
-    DirectoryLock      lock;
+    try
+      {
+        on_first_rank(communicator,
+                      [&]() { checked_file::make_directory(directory); });
+      }
+    catch (const FileError &error)
+      {
+        throw InputError(error.what()); // the user named a wrong place
+      }
+    DirectoryLock lock;
     on_first_rank(communicator, [&]() {
-      checked_file::make_directory(directory);
       lock.acquire(directory);
       write_parameters(prm, directory);
       report.open_files();
