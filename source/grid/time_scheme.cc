@@ -74,6 +74,8 @@ namespace seiche
             (1. - alpha) * acceleration_offset(v, a, dt) + alpha * a;
           rate_offset.local_element(i) = velocity_offset(v, a, dt);
         });
+        inertia_offset.update_ghost_values();
+        rate_offset.update_ghost_values();
       }
 
       void
@@ -89,6 +91,8 @@ namespace seiche
           state.acceleration_np1.local_element(i) =
             u / (beta * dt * dt) + acceleration_offset(v, a, dt);
         });
+        state.velocity_np1.update_ghost_values();
+        state.acceleration_np1.update_ghost_values();
       }
 
     private:
@@ -156,6 +160,8 @@ namespace seiche
             -state.velocity_start.local_element(i) / (theta * dt);
           rate_offset.local_element(i) = 0.;
         });
+        inertia_offset.update_ghost_values();
+        rate_offset.update_ghost_values();
       }
 
       void
@@ -170,6 +176,8 @@ namespace seiche
           state.velocity_np1.local_element(i)     = v1;
           state.acceleration_np1.local_element(i) = (v1 - v0) / dt;
         });
+        state.velocity_np1.update_ghost_values();
+        state.acceleration_np1.update_ghost_values();
       }
 
     private:
@@ -246,6 +254,7 @@ namespace seiche
         state.pressure().local_element(i) =
           state.pressure_guess.local_element(i);
       });
+    state.solution.update_ghost_values();
   }
 
   template <int dim>

@@ -64,7 +64,8 @@ namespace seiche
     Vector inertia_offset(state.velocity_n);
     inertia_offset *= -1. / dt;
     inertia_offset.update_ghost_values();
-    const Vector rate_offset(state.velocity_n.get_partitioner());
+    Vector rate_offset(state.velocity_n.get_partitioner());
+    rate_offset.update_ghost_values();
     // from dt v_n: what is left to solve for is its violation alone
     BlockVector guess(state.solution);
     guess          = 0.;
@@ -95,8 +96,9 @@ namespace seiche
     c.damping         = false;
     c.rate_constraint = dt * dt;
 
-    const Vector zero(state.velocity_n.get_partitioner());
-    BlockVector  update(state.solution);
+    Vector zero(state.velocity_n.get_partitioner());
+    zero.update_ghost_values();
+    BlockVector update(state.solution);
     update = 0.;
     const LinearResult result =
       solve(state, c, zero, state.velocity_start, update, start_tolerance);
