@@ -68,8 +68,7 @@ namespace seiche
   Displacement<dim>::tangent(CellData<dim> &cell) const
   {
     cell.clear_tangent();
-    const double viscosity =
-      cell.coefficients.viscous ? this->material.law.tangent_viscosity() : 0.;
+    const double viscosity = this->material.viscosity(cell.coefficients);
     PointKinematics<dim> point;
     for (unsigned int q = 0; q < cell.quadrature.size; ++q)
       {

@@ -105,12 +105,11 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
     cell.clear_tangent();
-    const Tau    tau = this->tau(cell);
-    const double viscosity =
-      cell.coefficients.viscous ? this->material.law.tangent_viscosity() : 0.;
-    const double         theta    = cell.coefficients.theta;
-    const double         kappa    = this->material.bulk_modulus;
-    const double         weight_g = 1. - tau.continuity / kappa;
+    const Tau    tau       = this->tau(cell);
+    const double viscosity = this->material.viscosity(cell.coefficients);
+    const double theta     = cell.coefficients.theta;
+    const double kappa     = this->material.bulk_modulus;
+    const double weight_g  = 1. - tau.continuity / kappa;
     PointKinematics<dim> point;
     for (unsigned int q = 0; q < cell.quadrature.size; ++q)
       {

@@ -60,9 +60,7 @@ namespace seiche
   {
     return stabilization.evaluate(cell.coefficients,
                                   material.density,
-                                  cell.coefficients.viscous ?
-                                    material.law.tangent_viscosity() :
-                                    0.,
+                                  material.viscosity(cell.coefficients),
                                   cell.size,
                                   /*degree=*/1,
                                   cell.start_speed);

@@ -126,28 +126,17 @@ namespace seiche
   void
   Fill<dim>::collect_ghost_faces()
   {
-    const auto        &locator = occupancy.locator;
-    const unsigned int my_rank = locator.n_owned() > 0 ? locator.owner(0) : 0;
     faces.clear();
-    const auto add = [&](const unsigned int lower,
-                         const unsigned int upper,
-                         const unsigned int direction) {
-      if (is_cut(lower) || is_cut(upper))
-        faces.push_back(
-          {lower, upper, direction, is_thin(lower) || is_thin(upper)});
-    };
-    for (const unsigned int cell : occupancy.occupied_cells())
-      for (unsigned int direction = 0; direction < dim; ++direction)
-        {
-          const unsigned int above = locator.neighbor(cell, 2 * direction + 1);
-          if (above != locator.invalid && occupancy.is_occupied(above) &&
-              my_rank <= locator.owner(above))
-            add(cell, above, direction);
-          const unsigned int below = locator.neighbor(cell, 2 * direction);
-          if (below != locator.invalid && occupancy.is_occupied(below) &&
-              my_rank < locator.owner(below))
-            add(below, cell, direction);
-        }
+    occupancy.for_each_assembled_face(
+      occupancy.occupied_cells(),
+      [&](const unsigned int cell) { return occupancy.is_occupied(cell); },
+      [&](const unsigned int lower,
+          const unsigned int upper,
+          const unsigned int direction) {
+        if (is_cut(lower) || is_cut(upper))
+          faces.push_back(
+            {lower, upper, direction, is_thin(lower) || is_thin(upper)});
+      });
   }
 
   template class Fill<2>;

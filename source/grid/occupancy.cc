@@ -221,10 +221,6 @@ namespace seiche
   void
   Occupancy<dim>::exchange_flag(std::vector<char> &flag) const
   {
-    if (locator.n_cells() == locator.n_owned() &&
-        Utilities::MPI::n_mpi_processes(
-          locator.grid.triangulation.get_communicator()) == 1)
-      return;
     std::vector<double> values(flag.begin(), flag.end());
     exchange_to_ghosts(values);
     std::copy(values.begin(), values.end(), flag.begin());

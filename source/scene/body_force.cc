@@ -73,15 +73,6 @@ namespace seiche
 
 
   template <int dim>
-  bool
-  BodyForce<dim>::is_zero() const
-  {
-    return acceleration.is_zero();
-  }
-
-
-
-  template <int dim>
   const dealii::Tensor<1, dim> &
   BodyForce<dim>::constant_value() const
   {

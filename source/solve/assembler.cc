@@ -44,14 +44,13 @@ namespace seiche
   Tau
   Assembler<dim>::reference_tau(const double size) const
   {
-    return formulation.stabilization.evaluate(
-      data.coefficients,
-      formulation.material.density,
-      data.coefficients.viscous ? formulation.material.law.tangent_viscosity() :
-                                  0.,
-      size,
-      /*degree=*/1,
-      /*speed=*/0.);
+    return formulation.stabilization.evaluate(data.coefficients,
+                                              formulation.material.density,
+                                              formulation.material.viscosity(
+                                                data.coefficients),
+                                              size,
+                                              /*degree=*/1,
+                                              /*speed=*/0.);
   }
 
   template <int dim>
@@ -249,9 +248,7 @@ namespace seiche
     return 1. / formulation.stabilization.inverse_transient_tau(
                   data.coefficients,
                   formulation.material.density,
-                  data.coefficients.viscous ?
-                    formulation.material.law.tangent_viscosity() :
-                    0.,
+                  formulation.material.viscosity(data.coefficients),
                   size,
                   /*degree=*/1);
   }

@@ -59,9 +59,6 @@ namespace seiche
   void
   BlockMatrix<dim>::build_pattern(const Fill<dim> &fill)
   {
-    const auto        &locator = occupancy.locator;
-    const unsigned int my_rank = locator.n_owned() > 0 ? locator.owner(0) : 0;
-
     // Groups of mutually coupled nodes: cells, and pairs of cells across the
     // faces that may become ghost faces before the next numbering.
     std::vector<unsigned int> group_begin = {0}, group_nodes;
@@ -74,7 +71,7 @@ namespace seiche
         group_nodes.insert(group_nodes.end(), nodes, nodes + n_nodes);
         close_group();
       }
-    covered_faces.assign(locator.n_cells() * dim, 0);
+    covered_faces.assign(occupancy.locator.n_cells() * dim, 0);
     const auto near_surface = [&](const unsigned int cell) {
       return !occupancy.is_occupied(cell) || fill.is_cut(cell);
     };
@@ -91,18 +88,10 @@ namespace seiche
         }
       close_group();
     };
-    for (const unsigned int cell : occupancy.active_cells())
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          const unsigned int above = locator.neighbor(cell, 2 * d + 1);
-          if (above != locator.invalid && occupancy.is_active(above) &&
-              my_rank <= locator.owner(above))
-            add_face_group(cell, above, d);
-          const unsigned int below = locator.neighbor(cell, 2 * d);
-          if (below != locator.invalid && occupancy.is_active(below) &&
-              my_rank < locator.owner(below))
-            add_face_group(below, cell, d);
-        }
+    occupancy.for_each_assembled_face(
+      occupancy.active_cells(),
+      [&](const unsigned int cell) { return occupancy.is_active(cell); },
+      add_face_group);
 
     // groups at each node, then the union of their nodes
     const unsigned int        n_rows = occupancy.n_local_nodes();

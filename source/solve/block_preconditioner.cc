@@ -74,12 +74,12 @@ namespace seiche
     closed                            = is_closed;
     const StepCoefficients &c         = assembler.coefficients();
     const Occupancy<dim>   &occupancy = matrix->occupancy;
-    const double viscosity = c.viscous ? material.law.tangent_viscosity() : 0.;
-    const double inertia   = material.density * c.inertia;
-    const double h         = occupancy.smallest_extent();
-    const double bulk      = matrix->has_pressure() ?
-                               assembler.reference_tau(h).continuity :
-                               material.bulk_modulus;
+    const double            viscosity = material.viscosity(c);
+    const double            inertia   = material.density * c.inertia;
+    const double            h         = occupancy.smallest_extent();
+    const double            bulk      = matrix->has_pressure() ?
+                                          assembler.reference_tau(h).continuity :
+                                          material.bulk_modulus;
     initialize_velocity((2. * viscosity * c.rate + bulk) / (inertia * h * h),
                         c.inertia);
     if (!matrix->has_pressure())

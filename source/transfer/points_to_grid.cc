@@ -3,8 +3,6 @@
 #include <seiche/transfer/transfer.h>
 #include <seiche/utilities/shape_functions.h>
 
-#include <deal.II/base/vectorization.h>
-
 namespace seiche
 {
   namespace

@@ -20,6 +20,29 @@ using namespace seiche;
 
 namespace
 {
+  /// Grid and postprocessors of a scene, parsed and checked.
+  template <int dim>
+  struct Parsed
+  {
+    GridParameters<dim>    grid;
+    PostprocessorList<dim> postprocessors;
+
+    explicit Parsed(const InputFile &input)
+      : grid(input)
+      , postprocessors(input)
+    {
+      ParameterHandler prm;
+      double           end_time = 0.;
+      grid.add_parameters(prm);
+      postprocessors.add_parameters(prm);
+      prm.enter_subsection("Time");
+      prm.add_parameter("End time", end_time);
+      prm.leave_subsection();
+      input.parse_into(prm);
+      grid.check(input);
+    }
+  };
+
   // The scene: four cells a direction, the lower half full of points at rest
   // on a no-slip bottom, an obstacle in the upper right.
   template <int dim>
@@ -234,19 +257,10 @@ namespace
       }
     MPI_Barrier(communicator);
 
-    const InputFile        input(name + ".prm", {});
-    GridParameters<dim>    grid_parameters(input);
-    PostprocessorList<dim> postprocessors(input);
-    ParameterHandler       prm;
-    double                 end_time = 0.;
-    grid_parameters.add_parameters(prm);
-    postprocessors.add_parameters(prm);
-    prm.enter_subsection("Time");
-    prm.add_parameter("End time", end_time);
-    prm.leave_subsection();
-    input.parse_into(prm);
-    grid_parameters.check(input);
-    const BackgroundGrid<dim> grid(grid_parameters, communicator);
+    const InputFile           input(name + ".prm", {});
+    Parsed<dim>               parsed(input);
+    auto                     &postprocessors = parsed.postprocessors;
+    const BackgroundGrid<dim> grid(parsed.grid, communicator);
     postprocessors.check(grid);
     postprocessors.make(name, grid, communicator);
 
@@ -340,20 +354,10 @@ namespace
     std::string text = "accepted";
     try
       {
-        const InputFile      input("scene2d.prm", {override_entry});
-        GridParameters<2>    grid_parameters(input);
-        PostprocessorList<2> postprocessors(input);
-        ParameterHandler     prm;
-        double               end_time = 0.;
-        grid_parameters.add_parameters(prm);
-        postprocessors.add_parameters(prm);
-        prm.enter_subsection("Time");
-        prm.add_parameter("End time", end_time);
-        prm.leave_subsection();
-        input.parse_into(prm);
-        grid_parameters.check(input);
-        const BackgroundGrid<2> grid(grid_parameters, MPI_COMM_WORLD);
-        postprocessors.check(grid);
+        const InputFile         input("scene2d.prm", {override_entry});
+        Parsed<2>               parsed(input);
+        const BackgroundGrid<2> grid(parsed.grid, MPI_COMM_WORLD);
+        parsed.postprocessors.check(grid);
       }
     catch (const InputError &error)
       {

@@ -17,6 +17,13 @@ namespace seiche
     double       density      = 0.; ///< [kg/m^3]
     double       bulk_modulus = 0.; ///< [Pa], infinity in the mixed form only
     NewtonianLaw law;
+
+    /// Tangent viscosity [Pa s] that acts in a step with these coefficients.
+    double
+    viscosity(const StepCoefficients &coefficients) const
+    {
+      return coefficients.viscous ? law.tangent_viscosity() : 0.;
+    }
   };
 
   /**

@@ -182,6 +182,15 @@ namespace seiche
       return global_occupied < global_cells || open_wall;
     }
 
+    /// Call f(lower, upper, direction) for each face between two cells that
+    /// @p takes_part, on the rank that assembles it: the lower of the two
+    /// owners. @p cells: own cells that take part. Local.
+    template <typename Predicate, typename Function>
+    void
+    for_each_assembled_face(const std::vector<unsigned int> &cells,
+                            const Predicate                 &takes_part,
+                            const Function                  &f) const;
+
     /// Send one value per own cell to the ranks that see it as ghost:
     /// entries of ghost cells are overwritten. Collective.
     void
@@ -236,6 +245,27 @@ namespace seiche
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
       component_partitioner;
   };
+  template <int dim>
+  template <typename Predicate, typename Function>
+  void
+  Occupancy<dim>::for_each_assembled_face(
+    const std::vector<unsigned int> &cells,
+    const Predicate                 &takes_part,
+    const Function                  &f) const
+  {
+    for (const unsigned int cell : cells)
+      for (unsigned int direction = 0; direction < dim; ++direction)
+        {
+          const unsigned int above = locator.neighbor(cell, 2 * direction + 1);
+          if (above != locator.invalid && takes_part(above) &&
+              locator.owner(cell) <= locator.owner(above))
+            f(cell, above, direction);
+          const unsigned int below = locator.neighbor(cell, 2 * direction);
+          if (below != locator.invalid && takes_part(below) &&
+              locator.owner(cell) < locator.owner(below))
+            f(below, cell, direction);
+        }
+  }
 } // namespace seiche
 
 #endif

@@ -52,9 +52,6 @@ namespace seiche
     bool
     is_constant() const;
 
-    bool
-    is_zero() const;
-
     /// The constant acceleration [m/s^2]; Assert if it is not constant.
     const dealii::Tensor<1, dim> &
     constant_value() const;
