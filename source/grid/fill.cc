@@ -57,6 +57,7 @@ namespace seiche
         fill[cell] = rounded(sum / locator.measure(cell));
         total += sum;
         const unsigned int *nodes = occupancy.cell_nodes(cell);
+        occupancy.condense(cell, nodal);
         for (unsigned int a = 0; a < n_nodes; ++a)
           node_fill.local_element(nodes[a]) += nodal[a];
       }
@@ -88,17 +89,20 @@ namespace seiche
     flags.assign(n_cells, 0);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        const auto &neighbors = occupancy.vertex_neighbors(cell);
-        const bool  is_at_surface =
+        const auto neighbors = occupancy.locator.vertex_neighbors(cell);
+        const bool is_at_surface =
           std::any_of(neighbors.begin(),
                       neighbors.end(),
                       [&](const unsigned int c) {
                         return !occupancy.is_occupied(c);
                       });
-        double              least = std::numeric_limits<double>::max();
+        double              at_nodes[LinearShape<dim>::n_nodes];
         const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          least = std::min(least, node_fill.local_element(nodes[a]));
+        for (unsigned int a = 0; a < LinearShape<dim>::n_nodes; ++a)
+          at_nodes[a] = node_fill.local_element(nodes[a]);
+        occupancy.expand(cell, at_nodes);
+        const double least =
+          *std::min_element(std::begin(at_nodes), std::end(at_nodes));
 
         // distance to the surface first, fill second: lattices stretched by
         // the flow make fill vary where there is no surface
@@ -116,9 +120,9 @@ namespace seiche
         if (weight[cell] < 1. && fill[cell] < sliver_below)
           flags[cell] |= sliver;
       }
-    occupancy.exchange_to_ghosts(weight);
+    occupancy.locator.exchange_to_ghosts(weight);
     std::vector<double> values(flags.begin(), flags.end());
-    occupancy.exchange_to_ghosts(values);
+    occupancy.locator.exchange_to_ghosts(values);
     std::copy(values.begin(), values.end(), flags.begin());
   }
 

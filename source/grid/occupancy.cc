@@ -4,10 +4,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <deal.II/grid/grid_tools.h>
-
+#include <algorithm>
 #include <numeric>
-#include <optional>
 
 namespace seiche
 {
@@ -30,10 +28,7 @@ namespace seiche
     const auto &triangulation = locator.grid.triangulation;
     global_cells              = triangulation.n_global_active_cells();
     dof_handler.distribute_dofs(fe);
-    full_partitioner = std::make_shared<const Utilities::MPI::Partitioner>(
-      dof_handler.locally_owned_dofs(),
-      compatibility::locally_relevant_dofs(dof_handler),
-      triangulation.get_communicator());
+    hanging_nodes.reinit(dof_handler, locator);
 
     smallest = std::numeric_limits<double>::max();
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
@@ -41,44 +36,55 @@ namespace seiche
         smallest = std::min(smallest, locator.extent(cell)[d]);
     smallest = Utilities::MPI::min(smallest, triangulation.get_communicator());
 
-    number_cells_and_positions();
+    number_cells();
+    collect_positions();
     collect_walls();
     collect_volumes();
-    collect_neighbors();
 
     occupied_flag.assign(locator.n_cells(), 0);
     active_flag.assign(locator.n_cells(), 0);
-    numbering_generation = 0;
+    is_numbered = false;
   }
 
   template <int dim>
   void
-  Occupancy<dim>::number_cells_and_positions()
+  Occupancy<dim>::number_cells()
+  {
+    // masters of a ghost cell's hanging nodes may lie beyond the ghost layer
+    const unsigned int                   n_nodes = nodes_per_cell();
+    std::vector<types::global_dof_index> indices(hanging_nodes.nodes(0),
+                                                 hanging_nodes.nodes(0) +
+                                                   locator.n_cells() * n_nodes);
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    IndexSet relevant(dof_handler.n_dofs());
+    relevant.add_indices(indices.begin(), indices.end());
+    full_partitioner = std::make_shared<const Utilities::MPI::Partitioner>(
+      dof_handler.locally_owned_dofs(),
+      relevant,
+      locator.grid.triangulation.get_communicator());
+
+    full_cell_nodes.resize(locator.n_cells() * n_nodes);
+    for (std::size_t i = 0; i < full_cell_nodes.size(); ++i)
+      full_cell_nodes[i] =
+        full_partitioner->global_to_local(hanging_nodes.nodes(0)[i]);
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::collect_positions()
   {
     const unsigned int n_nodes = nodes_per_cell();
-    full_cell_nodes.resize(locator.n_cells() * n_nodes);
-    position_full.resize(full_partitioner->locally_owned_size() +
-                         full_partitioner->n_ghost_indices());
-    std::vector<types::global_dof_index> dofs(n_nodes);
+    position_full.assign(full_partitioner->locally_owned_size() +
+                           full_partitioner->n_ghost_indices(),
+                         Point<dim>());
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      {
-        typename DoFHandler<dim>::active_cell_iterator iterator(
-          &dof_handler.get_triangulation(),
-          locator.iterator(cell)->level(),
-          locator.iterator(cell)->index(),
-          &dof_handler);
-        iterator->get_dof_indices(dofs);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            const unsigned int node =
-              full_partitioner->global_to_local(dofs[a]);
-            full_cell_nodes[cell * n_nodes + a] = node;
-            for (unsigned int d = 0; d < dim; ++d)
-              position_full[node][d] =
-                locator.lower_corner(cell)[d] +
-                fe.unit_support_point(a)[d] * locator.extent(cell)[d];
-          }
-      }
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        if (!hanging_nodes.hangs(cell, a))
+          for (unsigned int d = 0; d < dim; ++d)
+            position_full[full_cell_nodes[cell * n_nodes + a]][d] =
+              locator.lower_corner(cell)[d] +
+              fe.unit_support_point(a)[d] * locator.extent(cell)[d];
   }
 
   template <int dim>
@@ -103,7 +109,8 @@ namespace seiche
           const bool all =
             locator.grid.wall_condition(wall) == WallCondition::no_slip;
           for (unsigned int a = 0; a < n_nodes; ++a)
-            if (fe.has_support_on_face(a, face))
+            if (fe.has_support_on_face(a, face) &&
+                !hanging_nodes.hangs(cell, a))
               for (unsigned int c = 0; c < dim; ++c)
                 if (all || c == face / 2)
                   {
@@ -137,11 +144,16 @@ namespace seiche
         unit_integral[a] +=
           fe.shape_value(a, quadrature.point(q)) * quadrature.weight(q);
 
-    Vector volume(full_partitioner);
+    Vector              volume(full_partitioner);
+    std::vector<double> integral;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        volume.local_element(full_cell_nodes[cell * n_nodes + a]) +=
-          locator.measure(cell) * unit_integral[a];
+      {
+        integral = unit_integral;
+        condense(cell, integral.data());
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          volume.local_element(full_cell_nodes[cell * n_nodes + a]) +=
+            locator.measure(cell) * integral[a];
+      }
     volume.compress(VectorOperation::add);
     volume.update_ghost_values();
     volume_full.resize(position_full.size());
@@ -151,55 +163,11 @@ namespace seiche
 
   template <int dim>
   void
-  Occupancy<dim>::collect_neighbors()
-  {
-    std::vector<std::vector<unsigned int>> cells_at_vertex(
-      locator.grid.triangulation.n_vertices());
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-        cells_at_vertex[locator.iterator(cell)->vertex_index(v)].push_back(
-          cell);
-    neighbors.assign(locator.n_owned(), {});
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      {
-        auto &list = neighbors[cell];
-        for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-          for (const unsigned int other :
-               cells_at_vertex[locator.iterator(cell)->vertex_index(v)])
-            if (other != cell)
-              list.push_back(other);
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-      }
-  }
-
-  template <int dim>
-  void
-  Occupancy<dim>::exchange_to_ghosts(std::vector<double> &cell_values) const
-  {
-    AssertDimension(cell_values.size(), locator.n_cells());
-    const auto &triangulation = locator.grid.triangulation;
-    if (Utilities::MPI::n_mpi_processes(triangulation.get_communicator()) == 1)
-      return;
-    using Iterator =
-      typename parallel::distributed::Triangulation<dim>::active_cell_iterator;
-    GridTools::exchange_cell_data_to_ghosts<double>(
-      triangulation,
-      [&](const Iterator &cell) -> std::optional<double> {
-        return cell_values[locator.index(cell)];
-      },
-      [&](const Iterator &cell, const double value) {
-        cell_values[locator.index(cell)] = value;
-      });
-  }
-
-  template <int dim>
-  void
   Occupancy<dim>::update(const PointCloud<dim> &points)
   {
     const MPI_Comm communicator = locator.grid.triangulation.get_communicator();
     occupied.clear();
-    bool inside = numbering_generation > 0;
+    bool inside = is_numbered;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         occupied_flag[cell] = points.n_points_in(cell) > 0;
@@ -222,7 +190,7 @@ namespace seiche
   Occupancy<dim>::exchange_flag(std::vector<char> &flag) const
   {
     std::vector<double> values(flag.begin(), flag.end());
-    exchange_to_ghosts(values);
+    locator.exchange_to_ghosts(values);
     std::copy(values.begin(), values.end(), flag.begin());
   }
 
@@ -233,23 +201,20 @@ namespace seiche
     active.clear();
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
+        const auto neighbors = locator.vertex_neighbors(cell);
         active_flag[cell] =
           occupied_flag[cell] ||
-          std::any_of(neighbors[cell].begin(),
-                      neighbors[cell].end(),
+          std::any_of(neighbors.begin(),
+                      neighbors.end(),
                       [&](const unsigned int c) { return occupied_flag[c]; });
         if (active_flag[cell])
           active.push_back(cell);
       }
     exchange_flag(active_flag);
 
-    const unsigned int n_nodes    = nodes_per_cell();
-    const unsigned int n_own_full = full_partitioner->locally_owned_size();
-    std::vector<char>  used(position_full.size(), 0);
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      if (active_flag[cell])
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          used[full_cell_nodes[cell * n_nodes + a]] = 1;
+    const unsigned int      n_nodes    = nodes_per_cell();
+    const unsigned int      n_own_full = full_partitioner->locally_owned_size();
+    const std::vector<char> used       = find_used_nodes();
 
     n_own = std::count(used.begin(), used.begin() + n_own_full, 1);
     const MPI_Comm communicator = locator.grid.triangulation.get_communicator();
@@ -314,6 +279,27 @@ namespace seiche
         for (unsigned int a = cell * n_nodes; a < (cell + 1) * n_nodes; ++a)
           compact_cell_nodes[a] = compact_of_full[full_cell_nodes[a]];
     ++numbering_generation;
+    is_numbered = true;
+  }
+
+  template <int dim>
+  std::vector<char>
+  Occupancy<dim>::find_used_nodes() const
+  {
+    const unsigned int n_nodes = nodes_per_cell();
+    std::vector<char>  used(position_full.size(), 0);
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      if (active_flag[cell])
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          used[full_cell_nodes[cell * n_nodes + a]] = 1;
+    // the owner of a master may not see the cell whose hanging node needs it
+    Vector mark(full_partitioner);
+    for (unsigned int i = 0; i < used.size(); ++i)
+      mark.local_element(i) = used[i];
+    mark.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < full_partitioner->locally_owned_size(); ++i)
+      used[i] = mark.local_element(i) > 0.;
+    return used;
   }
 
   template <int dim>

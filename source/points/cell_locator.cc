@@ -70,7 +70,8 @@ namespace seiche
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
       by_key[cell] = {morton_key<dim>(lattice_lower[cell]), cell};
     std::sort(by_key.begin(), by_key.end());
-    find_neighbors();
+    find_face_neighbors();
+    find_vertex_neighbors();
   }
 
 
@@ -79,8 +80,7 @@ namespace seiche
   void
   CellLocator<dim>::make_lines()
   {
-    finest_level =
-      std::max(grid.lattice_level(), grid.triangulation.n_global_levels() - 1);
+    finest_level   = grid.finest_level();
     obstacle_shift = finest_level - grid.lattice_level();
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -142,26 +142,6 @@ namespace seiche
       boundary_ids.back()[face] = cell->at_boundary(face) ?
                                     cell->face(face)->boundary_id() :
                                     dealii::numbers::internal_face_boundary_id;
-  }
-
-
-
-  template <int dim>
-  void
-  CellLocator<dim>::find_neighbors()
-  {
-    neighbors.resize(n_cells());
-    for (unsigned int cell = 0; cell < n_cells(); ++cell)
-      for (unsigned int face = 0; face < 2 * dim; ++face)
-        {
-          neighbors[cell][face] = invalid;
-          if (boundary_ids[cell][face] !=
-              dealii::numbers::internal_face_boundary_id)
-            continue;
-          const auto other = iterators[cell]->neighbor(face);
-          if (other->is_active() && !other->is_artificial())
-            neighbors[cell][face] = index(other);
-        }
   }
 
 
@@ -267,9 +247,9 @@ namespace seiche
         unsigned int cell = hint;
         for (unsigned int d = 0; d < dim && cell != invalid; ++d)
           if (x[d] < lower[cell][d])
-            cell = neighbors[cell][2 * d];
+            cell = face_neighbors[cell][2 * d];
           else if (x[d] >= upper[cell][d])
-            cell = neighbors[cell][2 * d + 1];
+            cell = face_neighbors[cell][2 * d + 1];
         if (cell != invalid && holds(cell, x))
           return cell;
       }
@@ -329,12 +309,32 @@ namespace seiche
 
   template <int dim>
   std::uint64_t
-  CellLocator<dim>::lattice_index(const unsigned int cell) const
+  CellLocator<dim>::lattice_index(
+    const unsigned int                   cell,
+    const std::array<unsigned int, dim> &offset) const
   {
     std::uint64_t result = 0;
     for (unsigned int d = dim; d-- > 0;)
-      result = result * (lines[d].places.size() - 1) + lattice_lower[cell][d];
+      result = result * (lines[d].places.size() - 1) + lattice_lower[cell][d] +
+               offset[d];
     return result;
+  }
+
+
+
+  template <int dim>
+  dealii::BoundingBox<dim>
+  CellLocator<dim>::lattice_box(
+    const unsigned int                   cell,
+    const std::array<unsigned int, dim> &offset) const
+  {
+    dealii::Point<dim> low, high;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        low[d]  = lines[d].places[lattice_lower[cell][d] + offset[d]];
+        high[d] = lines[d].places[lattice_lower[cell][d] + offset[d] + 1];
+      }
+    return dealii::BoundingBox<dim>({low, high});
   }
 
 

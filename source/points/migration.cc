@@ -9,40 +9,40 @@
 // The part of PointCloud that sends points to other ranks.
 namespace seiche
 {
-  namespace
+  /// Points on their way to one rank: ids, and all components of the first
+  /// point, of the second one, ...
+  template <int dim>
+  struct PointCloud<dim>::Packet
   {
-    /// Points on their way to one rank: ids, and all components of the first
-    /// point, of the second one, ...
-    struct Packet
-    {
-      std::vector<std::uint64_t> ids;
-      std::vector<double>        values;
+    std::vector<std::uint64_t> ids;
+    std::vector<double>        values;
 
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int /*version*/)
-      {
-        archive &ids &values;
-      }
-    };
-  } // namespace
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &ids &values;
+    }
+  };
 
 
 
   template <int dim>
   void
-  PointCloud<dim>::migrate(const std::vector<std::size_t> &emigrants)
+  PointCloud<dim>::pack(const std::size_t point, Packet &packet)
   {
-    std::map<unsigned int, Packet> sent;
-    for (const std::size_t point : emigrants)
-      {
-        Packet &packet = sent[locator.owner(point_cells[point])];
-        packet.ids.push_back(point_ids[point]);
-        for (const auto &array : arrays)
-          packet.values.push_back(array[point]);
-        point_cells[point] = invalid; // sort() drops it
-      }
+    packet.ids.push_back(point_ids[point]);
+    for (const auto &array : arrays)
+      packet.values.push_back(array[point]);
+    point_cells[point] = invalid; // sort() drops it
+  }
 
+
+
+  template <int dim>
+  void
+  PointCloud<dim>::exchange(const std::map<unsigned int, Packet> &sent)
+  {
     for (const auto &received :
          dealii::Utilities::MPI::some_to_some(communicator, sent))
       {
@@ -65,8 +65,46 @@ namespace seiche
 
 
 
+  template <int dim>
+  void
+  PointCloud<dim>::migrate(const std::vector<std::size_t> &emigrants)
+  {
+    std::map<unsigned int, Packet> sent;
+    for (const std::size_t point : emigrants)
+      pack(point, sent[locator.owner(point_cells[point])]);
+    exchange(sent);
+  }
+
+
+
+  template <int dim>
+  void
+  PointCloud<dim>::redistribute(const std::vector<unsigned int> &new_owner)
+  {
+    AssertDimension(new_owner.size(), size());
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(communicator);
+    std::map<unsigned int, Packet> sent;
+    for (std::size_t p = 0; p < new_owner.size(); ++p)
+      if (new_owner[p] == rank)
+        point_cells[p] = locator.find(position(p));
+      else
+        pack(p, sent[new_owner[p]]);
+    Census census;
+    census.n_before = size();
+    exchange(sent);
+    sort();
+    account(census);
+  }
+
+
+
   template void
   PointCloud<2>::migrate(const std::vector<std::size_t> &);
   template void
   PointCloud<3>::migrate(const std::vector<std::size_t> &);
+  template void
+  PointCloud<2>::redistribute(const std::vector<unsigned int> &);
+  template void
+  PointCloud<3>::redistribute(const std::vector<unsigned int> &);
 } // namespace seiche

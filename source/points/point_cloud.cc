@@ -135,6 +135,16 @@ namespace seiche
 
 
   template <int dim>
+  void
+  PointCloud<dim>::relocate()
+  {
+    std::fill(point_cells.begin(), point_cells.end(), invalid);
+    locate();
+  }
+
+
+
+  template <int dim>
   typename PointCloud<dim>::Census
   PointCloud<dim>::find_cells(std::vector<std::size_t> &emigrants)
   {

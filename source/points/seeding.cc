@@ -162,12 +162,18 @@ namespace seiche
         , points(target)
       {}
 
+      /// Every cell of the finest lattice inside the cell.
       void
       fill(const unsigned int body_index, const unsigned int cell);
 
       double smallest_spacing = std::numeric_limits<double>::max();
 
     private:
+      void
+      fill_box(const unsigned int              body_index,
+               const dealii::BoundingBox<dim> &box,
+               const std::uint64_t             lattice_index);
+
       bool
       is_free(const dealii::Point<dim> &x, const unsigned int body_index) const;
 
@@ -189,23 +195,48 @@ namespace seiche
     void
     Seeder<dim>::fill(const unsigned int body_index, const unsigned int cell)
     {
-      const dealii::BoundingBox<dim> box    = points.locator.box(cell);
-      const Region<dim>             &region = *bodies[body_index].region;
-      const unsigned int             per    = parameters.per_direction;
-      const Lattice<dim>             lattice(region.lattice_box(box), box, per);
-      const dealii::BoundingBox<dim> around = region.bounding_box();
-      for (unsigned int d = 0; d < dim; ++d)
-        if (around.lower_bound(d) > box.upper_bound(d) ||
-            around.upper_bound(d) < box.lower_bound(d))
-          return;
+      const CellLocator<dim>        &locator = points.locator;
+      const dealii::BoundingBox<dim> around =
+        bodies[body_index].region->bounding_box();
+      const auto apart = [&around](const dealii::BoundingBox<dim> &box) {
+        for (unsigned int d = 0; d < dim; ++d)
+          if (around.lower_bound(d) > box.upper_bound(d) ||
+              around.upper_bound(d) < box.lower_bound(d))
+            return true;
+        return false;
+      };
+      if (apart(locator.box(cell)))
+        return;
+      const unsigned int n = locator.lattice_size(cell);
+      for (unsigned int i = 0; i < dealii::Utilities::fixed_power<dim>(n); ++i)
+        {
+          std::array<unsigned int, dim> offset;
+          for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n)
+            offset[d] = rest % n;
+          const auto box = locator.lattice_box(cell, offset);
+          if (!apart(box))
+            fill_box(body_index, box, locator.lattice_index(cell, offset));
+        }
+    }
+
+
+
+    template <int dim>
+    void
+    Seeder<dim>::fill_box(const unsigned int              body_index,
+                          const dealii::BoundingBox<dim> &box,
+                          const std::uint64_t             lattice_index)
+    {
+      const Region<dim> &region = *bodies[body_index].region;
+      const unsigned int per    = parameters.per_direction;
+      const Lattice<dim> lattice(region.lattice_box(box), box, per);
 
       double volume = 1.;
       for (unsigned int d = 0; d < dim; ++d)
         volume *= lattice.spacing[d];
       const std::uint64_t first_id =
         (static_cast<std::uint64_t>(body_index) << 56) |
-        (points.locator.lattice_index(cell) *
-         dealii::Utilities::fixed_power<dim>(per));
+        (lattice_index * dealii::Utilities::fixed_power<dim>(per));
 
       for (unsigned int i = 0; i < lattice.n_all; ++i)
         {

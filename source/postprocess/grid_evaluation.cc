@@ -55,6 +55,7 @@ namespace seiche
     else
       for (unsigned int a = 0; a < shapes.size(); ++a)
         shapes[a] = occupancy.fe.shape_value(a, unit);
+    occupancy.condense(cell, shapes.data());
   }
 
   template <int dim>

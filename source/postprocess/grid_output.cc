@@ -43,22 +43,30 @@ namespace seiche
           patch.reference_cell           = ReferenceCells::get_hypercube<dim>();
           patch.data.reinit(grid.n_rows(), n);
           // vertices come first in deal.II's numbering of every FE_Q
+          std::vector<double> values(occupancy.nodes_per_cell());
+          const auto          set_row = [&](const unsigned int row,
+                                   const auto        &vector,
+                                   const unsigned int stride,
+                                   const unsigned int component) {
+            for (unsigned int a = 0; a < values.size(); ++a)
+              values[a] = vector.local_element(stride * nodes[a] + component);
+            occupancy.expand(cell, values.data());
+            for (unsigned int v = 0; v < n; ++v)
+              patch.data(row, v) = values[v];
+          };
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              set_row(d, view.state.velocity_np1, dim, d);
+              set_row(dim + d, view.state.displacement(), dim, d);
+            }
+          set_row(2 * dim, pressure, 1, 0);
+          set_row(2 * dim + 1, fill.nodal_fill(), 1, 0);
           for (unsigned int v = 0; v < n; ++v)
             {
               patch.vertices[v] = locator.lower_corner(cell);
               for (unsigned int d = 0; d < dim; ++d)
-                {
-                  if ((v >> d) & 1u)
-                    patch.vertices[v][d] += locator.extent(cell)[d];
-                  const unsigned int entry = dim * nodes[v] + d;
-                  patch.data(d, v) =
-                    view.state.velocity_np1.local_element(entry);
-                  patch.data(dim + d, v) =
-                    view.state.displacement().local_element(entry);
-                }
-              patch.data(2 * dim, v) = pressure.local_element(nodes[v]);
-              patch.data(2 * dim + 1, v) =
-                fill.nodal_fill().local_element(nodes[v]);
+                if ((v >> d) & 1u)
+                  patch.vertices[v][d] += locator.extent(cell)[d];
               patch.data(2 * dim + 2, v) = fill.cell_fill(cell);
               patch.data(2 * dim + 3, v) = fill.gauss_weight(cell);
               patch.data(2 * dim + 4, v) =

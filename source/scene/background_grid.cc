@@ -85,6 +85,20 @@ namespace seiche
 
 
   template <int dim>
+  std::string
+  side_name(const unsigned int id)
+  {
+    const std::array<const char *, 4> names_2d = {
+      {"left", "right", "bottom", "top"}};
+    const std::array<const char *, 6> names_3d = {
+      {"left", "right", "front", "back", "bottom", "top"}};
+    AssertIndexRange(id, 2 * dim);
+    return dim == 2 ? names_2d[id] : names_3d[id];
+  }
+
+
+
+  template <int dim>
   std::vector<GridSegment>
   make_segments(const GridParameters<dim> &parameters,
                 const unsigned int         direction)
@@ -124,7 +138,15 @@ namespace seiche
     const GridParameters<dim> &grid_parameters,
     MPI_Comm                   communicator)
     : parameters(grid_parameters)
-    , triangulation(communicator)
+    , triangulation(
+        communicator,
+        dealii::Triangulation<dim>::none,
+        static_cast<
+          typename dealii::parallel::distributed::Triangulation<dim>::Settings>(
+          dealii::parallel::distributed::Triangulation<
+            dim>::no_automatic_repartitioning |
+          dealii::parallel::distributed::Triangulation<
+            dim>::communicate_vertices_to_p4est))
   {
     for (unsigned int d = 0; d < dim; ++d)
       lattice[d] = make_segments(parameters, d);
@@ -142,21 +164,19 @@ namespace seiche
     make_coarse_cells();
     set_boundary_ids();
     triangulation.refine_global(n_refinements);
+    triangulation.repartition(); // automatic partitioning is off
   }
 
 
 
   template <int dim>
   void
-  BackgroundGrid<dim>::balance(
-    const std::function<bool(const dealii::Point<dim> &)> &holds_fluid)
+  BackgroundGrid<dim>::repartition(
+    const std::function<unsigned int(
+      const typename dealii::Triangulation<dim>::cell_iterator &)> &weight)
   {
-    // empty cells cost no time but memory
-    constexpr unsigned int empty_weight = 1, fluid_weight = 1000;
-    const auto             connection = triangulation.signals.weight.connect(
-      [&](const auto &cell, const auto) -> unsigned int {
-        return holds_fluid(cell->center()) ? fluid_weight : empty_weight;
-      });
+    const auto connection = triangulation.signals.weight.connect(
+      [&](const auto &cell, const auto) { return weight(cell); });
     triangulation.repartition();
     connection.disconnect();
   }
@@ -277,6 +297,15 @@ namespace seiche
 
 
   template <int dim>
+  unsigned int
+  BackgroundGrid<dim>::finest_level() const
+  {
+    return n_refinements + parameters.refinement.finest_level();
+  }
+
+
+
+  template <int dim>
   const typename BackgroundGrid<dim>::LatticeBox &
   BackgroundGrid<dim>::obstacle_box(const unsigned int index) const
   {
@@ -290,13 +319,8 @@ namespace seiche
   BackgroundGrid<dim>::wall_name(const dealii::types::boundary_id id) const
   {
     AssertIndexRange(id, n_walls());
-    const std::array<const char *, 4> names_2d = {
-      {"left", "right", "bottom", "top"}};
-    const std::array<const char *, 6> names_3d = {
-      {"left", "right", "front", "back", "bottom", "top"}};
-    if (id >= 2 * dim)
-      return parameters.obstacles[id - 2 * dim].name;
-    return dim == 2 ? names_2d[id] : names_3d[id];
+    return id < 2 * dim ? side_name<dim>(id) :
+                          parameters.obstacles[id - 2 * dim].name;
   }
 
 
@@ -321,6 +345,10 @@ namespace seiche
 
 
 
+  template std::string
+  side_name<2>(const unsigned int);
+  template std::string
+  side_name<3>(const unsigned int);
   template std::vector<GridSegment>
   make_segments<2>(const GridParameters<2> &, const unsigned int);
   template std::vector<GridSegment>

@@ -16,15 +16,14 @@ namespace seiche
 {
   namespace
   {
+    /// Entry of a side in "Walls": its name with a capital letter.
     template <int dim>
     std::string
     side_entry(const unsigned int id)
     {
-      const std::array<const char *, 4> names_2d = {
-        {"Left", "Right", "Bottom", "Top"}};
-      const std::array<const char *, 6> names_3d = {
-        {"Left", "Right", "Front", "Back", "Bottom", "Top"}};
-      return dim == 2 ? names_2d[id] : names_3d[id];
+      std::string name = side_name<dim>(id);
+      name[0]          = std::toupper(name[0]);
+      return name;
     }
 
 
@@ -55,6 +54,7 @@ namespace seiche
 
   template <int dim>
   GridParameters<dim>::GridParameters(const InputFile &input)
+    : refinement(input)
   {
     walls_text.fill("slip");
     walls.fill(WallCondition::slip);
@@ -138,6 +138,7 @@ namespace seiche
                           dealii::Patterns::Selection("slip|no-slip"));
         prm.leave_subsection();
       }
+    refinement.add_parameters(prm);
   }
 
 
@@ -163,6 +164,7 @@ namespace seiche
     for (unsigned int i = 0; i < obstacles.size(); ++i)
       check_obstacle(input, i);
     check_size(input);
+    refinement.check(input, *this);
   }
 
 
@@ -250,9 +252,7 @@ namespace seiche
                   "the obstacle fills the whole domain.");
     for (unsigned int id = 0; id < 2 * dim; ++id)
       {
-        std::string side = side_entry<dim>(id);
-        side[0]          = std::tolower(side[0]);
-        input.require(text.name != side,
+        input.require(text.name != side_name<dim>(id),
                       path + "Lower corner",
                       "an obstacle cannot have the name of a side of the "
                       "domain; rename it.");

@@ -10,31 +10,6 @@ namespace seiche
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// Shares the fluid's cells out among the ranks, as they are at the start.
-    template <int dim>
-    const BackgroundGrid<dim> &
-    balanced(BackgroundGrid<dim> &grid, const Scene<dim> &scene)
-    {
-      if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-        {
-          std::vector<std::unique_ptr<Region<dim>>> regions;
-          for (const auto &body : scene.bodies)
-            regions.push_back(
-              body.make_region(scene.input, scene.grid.domain()));
-          grid.balance([&](const Point<dim> &x) {
-            return std::any_of(regions.begin(),
-                               regions.end(),
-                               [&](const auto &region) {
-                                 return region->contains(x);
-                               });
-          });
-        }
-      return grid;
-    }
-  } // namespace
-
   template <int dim>
   Simulation<dim>::Simulation(Scene<dim>        &run_scene,
                               const std::string &output_directory,
@@ -44,7 +19,7 @@ namespace seiche
     , communicator(MPI_COMM_WORLD)
     , report(run_report)
     , grid(scene.grid, communicator)
-    , locator(balanced(grid, scene))
+    , locator(grid)
     , time_scheme(make_time_scheme<dim>(scene.time_scheme))
     , formulation(make_formulation<dim>(scene.formulation, scene.material()))
     , points(locator, point_columns(), communicator)
@@ -53,6 +28,7 @@ namespace seiche
                           scene.input,
                           scene.fluid.density,
                           points))
+    , mesh_adaptation(grid, locator, points)
     , occupancy(locator, /*degree=*/1)
     , fill(occupancy, scene.quadrature.gauss_in_full_cells())
     , quadrature(make_quadrature(scene.quadrature,
@@ -87,6 +63,7 @@ namespace seiche
   void
   Simulation<dim>::run()
   {
+    find_material();
     report.header(
       fmt::format("{}D, {} cells, {} points, {} rank{}\n",
                   dim,
@@ -96,7 +73,6 @@ namespace seiche
                   Utilities::MPI::n_mpi_processes(communicator) == 1 ? "" :
                                                                        "s"));
     scene.postprocessors.make(directory, grid, communicator);
-    find_material();
     prepare_start();
     state.velocity_np1 = state.velocity_n; // what the first frame shows
     state.velocity_np1.update_ghost_values();
@@ -144,6 +120,12 @@ namespace seiche
     {
       const TimerTree::Scope scope(timer, "locate");
       points.locate();
+    }
+    {
+      const TimerTree::Scope scope(timer, "mesh adaptation");
+      if (time_stepper.steps() > 0 &&
+          mesh_adaptation.update(time_stepper.steps()))
+        occupancy.reinit();
     }
     if (points.n_global() == 0)
       throw NumericalError(

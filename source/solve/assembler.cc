@@ -80,16 +80,32 @@ namespace seiche
           mean_velocity[i] += state.velocity_start.local_element(dof) / n_nodes;
         }
     data.start_speed = mean_velocity.norm();
+    for (unsigned int i = 0; i < dim; ++i)
+      {
+        occupancy.expand(cell, data.displacement[i]);
+        occupancy.expand(cell, data.acceleration[i]);
+        occupancy.expand(cell, data.rate_velocity[i]);
+      }
     if (state.has_pressure())
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        data.pressure[a] = state.pressure().local_element(nodes[a]);
+      {
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          data.pressure[a] = state.pressure().local_element(nodes[a]);
+        occupancy.expand(cell, data.pressure);
+      }
 
     if (data.body_force_varies)
       {
         // at the place that v_0 predicts: second order, and the tangent does
         // not need the gradient of the expression
         data.body_force.assign(data.quadrature.size, Tensor<1, dim>());
-        double N[n_nodes];
+        double N[n_nodes], velocity[dim][n_nodes];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              velocity[d][a] =
+                state.velocity_start.local_element(dim * nodes[a] + d);
+            occupancy.expand(cell, velocity[d]);
+          }
         if (c.body_force)
           for (unsigned int q = 0; q < data.quadrature.size; ++q)
             {
@@ -100,9 +116,7 @@ namespace seiche
                 {
                   x[d] += unit[d] * data.extent[d];
                   for (unsigned int a = 0; a < n_nodes; ++a)
-                    x[d] +=
-                      c.theta * c.dt * N[a] *
-                      state.velocity_start.local_element(dim * nodes[a] + d);
+                    x[d] += c.theta * c.dt * N[a] * velocity[d][a];
                 }
               data.body_force[q] = body_force.value(x, time + c.theta * c.dt);
             }
@@ -144,6 +158,10 @@ namespace seiche
         gather(cell, state);
         formulation.residual(data);
         const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (unsigned int i = 0; i < dim; ++i)
+          occupancy.condense(cell, data.residual_u[i]);
+        if (mixed)
+          occupancy.condense(cell, data.residual_p);
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
             for (unsigned int i = 0; i < dim; ++i)
@@ -156,10 +174,10 @@ namespace seiche
     const StepCoefficients &c = data.coefficients;
     for_each_ghost_face([&](const GhostFaceMatrix<dim> &face,
                             const GhostCoefficients    &coefficient) {
-      constexpr unsigned int n = GhostFaceMatrix<dim>::n_nodes;
+      const unsigned int n = face.n_nodes;
       for (unsigned int i = 0; i < dim; ++i)
         {
-          double jump[n];
+          double jump[GhostFaceMatrix<dim>::max_nodes];
           for (unsigned int b = 0; b < n; ++b)
             {
               const unsigned int dof = dim * face.nodes[b] + i;
@@ -210,6 +228,8 @@ namespace seiche
       {
         gather(cell, state);
         formulation.tangent(data);
+        if (occupancy.hanging().has_matrix(cell))
+          condense_tangent(cell);
         matrix.add_cell(cell, data);
       }
     const StepCoefficients &c = data.coefficients;
@@ -221,6 +241,25 @@ namespace seiche
                       coefficient.pressure);
     });
     matrix.compress();
+  }
+
+  template <int dim>
+  void
+  Assembler<dim>::condense_tangent(const unsigned int cell)
+  {
+    const HangingNodes<dim> &hanging = occupancy.hanging();
+    for (unsigned int i = 0; i < dim; ++i)
+      {
+        for (unsigned int j = 0; j < dim; ++j)
+          hanging.condense_matrix(cell, data.uu[i][j]);
+        if (formulation.has_pressure())
+          {
+            hanging.condense_matrix(cell, data.up[i]);
+            hanging.condense_matrix(cell, data.pu[i]);
+          }
+      }
+    if (formulation.has_pressure())
+      hanging.condense_matrix(cell, data.pp);
   }
 
   template <int dim>

@@ -22,6 +22,20 @@ namespace seiche
     return values[found - columns];
   }
 
+  namespace
+  {
+    bool
+    row_is_zero(const Epetra_CrsMatrix &matrix, const int row)
+    {
+      int     n;
+      double *values;
+      matrix.ExtractMyRowView(row, n, values);
+      return std::all_of(values, values + n, [](const double value) {
+        return value == 0.;
+      });
+    }
+  } // namespace
+
   template <int dim>
   BlockMatrix<dim>::BlockMatrix(const Occupancy<dim> &grid_occupancy,
                                 const bool            pressure)
@@ -51,8 +65,20 @@ namespace seiche
   BlockMatrix<dim>::pattern_covers(const std::vector<GhostFace> &faces) const
   {
     return std::all_of(faces.begin(), faces.end(), [&](const GhostFace &face) {
-      return covered_faces[face.lower * dim + face.direction];
+      return covered_faces[face_index(face.lower, face.upper, face.direction)];
     });
+  }
+
+  template <int dim>
+  std::size_t
+  BlockMatrix<dim>::face_index(const unsigned int lower,
+                               const unsigned int upper,
+                               const unsigned int direction) const
+  {
+    const auto &locator = occupancy.locator;
+    return locator.level(lower) >= locator.level(upper) ?
+             lower * 2 * dim + 2 * direction + 1 :
+             upper * 2 * dim + 2 * direction;
   }
 
   template <int dim>
@@ -71,7 +97,7 @@ namespace seiche
         group_nodes.insert(group_nodes.end(), nodes, nodes + n_nodes);
         close_group();
       }
-    covered_faces.assign(occupancy.locator.n_cells() * dim, 0);
+    covered_faces.assign(occupancy.locator.n_cells() * 2 * dim, 0);
     const auto near_surface = [&](const unsigned int cell) {
       return !occupancy.is_occupied(cell) || fill.is_cut(cell);
     };
@@ -80,7 +106,7 @@ namespace seiche
                                     const unsigned int direction) {
       if (!near_surface(lower) && !near_surface(upper))
         return;
-      covered_faces[lower * dim + direction] = 1;
+      covered_faces[face_index(lower, upper, direction)] = 1;
       for (const unsigned int cell : {lower, upper})
         {
           const unsigned int *nodes = occupancy.cell_nodes(cell);
@@ -288,7 +314,7 @@ namespace seiche
                              const double                velocity_coefficient,
                              const double                pressure_coefficient)
   {
-    constexpr unsigned int n = GhostFaceMatrix<dim>::n_nodes;
+    const unsigned int n = face.n_nodes;
     for (unsigned int a = 0; a < n; ++a)
       {
         const unsigned int row    = face.nodes[a];
@@ -316,13 +342,6 @@ namespace seiche
   void
   BlockMatrix<dim>::compress()
   {
-    // an occupied node may have a zero diagonal in D (no subscales), a node of
-    // the halo has nothing at all
-    std::vector<char> used(occupancy.n_local_nodes(), 0);
-    for (unsigned int cell = 0; cell < occupancy.locator.n_cells(); ++cell)
-      if (occupancy.is_occupied(cell))
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          used[occupancy.cell_nodes(cell)[a]] = 1;
     for (unsigned int b = 0; b < (with_pressure ? 4 : 1); ++b)
       {
         Matrices &matrices = blocks[b];
@@ -341,9 +360,11 @@ namespace seiche
           own_largest =
             std::max(own_largest, diagonal_entry(*matrices.system, i));
         matrices.system->Comm().MaxAll(&own_largest, &largest, 1);
+        // an occupied node may have a zero diagonal in D (no subscales), a
+        // node of the halo has nothing at all
         for (int i = 0; i < n_rows; ++i)
           if (double &entry = diagonal_entry(*matrices.system, i);
-              entry == 0. && (b == uu || !used[i]))
+              entry == 0. && (b == uu || row_is_zero(*blocks[pu].system, i)))
             entry = largest > 0. ? largest : 1.;
       }
   }

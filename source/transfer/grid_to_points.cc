@@ -36,20 +36,20 @@ namespace seiche
       {}
 
       void
-      gather(const unsigned int *nodes)
+      gather(const Occupancy<dim> &occupancy, const unsigned int cell)
       {
-        end_field.gather(velocity_np1, nodes);
+        end_field.gather(velocity_np1, occupancy, cell);
         source = end_field;
         if (keep > 0.)
           {
             CellField<dim> start;
-            start.gather(velocity_n, nodes);
+            start.gather(velocity_n, occupancy, cell);
             for (unsigned int c = 0; c < dim; ++c)
               for (unsigned int i = 0; i < LinearShape<dim>::n_nodes; ++i)
                 source.values[c][i] -= keep * start.values[c][i];
           }
         if (acceleration_np1 != nullptr)
-          acceleration_field.gather(acceleration_np1, nodes);
+          acceleration_field.gather(acceleration_np1, occupancy, cell);
       }
 
       template <typename Arrays>
@@ -156,15 +156,15 @@ namespace seiche
     for_each_block(
       occupancy,
       points,
-      [&](const unsigned int cell) {
-        u.gather(displacement, occupancy.cell_nodes(cell));
-      },
+      [&](const unsigned int cell) { u.gather(displacement, occupancy, cell); },
       [&](const unsigned int cell,
           const std::size_t  first,
           const unsigned int n_filled) {
-        const auto &extent = locator.extent(cell);
-        block.reinit(
-          arrays, first, n_filled, locator.lower_corner(cell), extent);
+        block.reinit(arrays,
+                     first,
+                     n_filled,
+                     locator.lower_corner(cell),
+                     locator.extent(cell));
         double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes];
         double det[n_lanes], moved[n_lanes];
         block.field_gradient(u, /*add_identity=*/true, F);
@@ -183,12 +183,15 @@ namespace seiche
         determinant_and_cofactors<dim>(F, det, cofactor);
         for (unsigned int l = 0; l < n_lanes; ++l)
           min_det = std::min(min_det, det[l]);
+        // beside finer cells, their size is the limit: a point must not pass
+        // the layer of neighbours
+        const auto &reach = locator.reach(cell);
         for (unsigned int c = 0; c < dim; ++c)
           {
             block.value(u.values[c], moved);
             for (unsigned int l = 0; l < n_lanes; ++l)
               {
-                max_u = std::max(max_u, std::abs(moved[l]) / extent[c]);
+                max_u = std::max(max_u, std::abs(moved[l]) / reach[c]);
                 sum += moved[l];
               }
           }
@@ -235,11 +238,14 @@ namespace seiche
       points,
       [&](const unsigned int cell) {
         const unsigned int *nodes = occupancy.cell_nodes(cell);
-        u.gather(displacement, nodes);
-        rule.gather(nodes);
+        u.gather(displacement, occupancy, cell);
+        rule.gather(occupancy, cell);
         if (with_pressure)
-          for (unsigned int i = 0; i < n_nodes; ++i)
-            p_nodal[i] = pressure[nodes[i]];
+          {
+            for (unsigned int i = 0; i < n_nodes; ++i)
+              p_nodal[i] = pressure[nodes[i]];
+            occupancy.expand(cell, p_nodal);
+          }
       },
       [&](const unsigned int cell,
           const std::size_t  first,

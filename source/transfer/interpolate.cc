@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/transfer/interpolate.h>
-#include <seiche/utilities/shape_functions.h>
+#include <seiche/transfer/point_block.h>
 
 namespace seiche
 {
@@ -14,9 +14,10 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
     double                 N[n_nodes];
+    CellField<dim>         nodal;
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        nodal.gather(field.begin(), occupancy, cell);
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
              ++p)
@@ -28,7 +29,7 @@ namespace seiche
               {
                 double sum = 0.;
                 for (unsigned int a = 0; a < n_nodes; ++a)
-                  sum += N[a] * field.local_element(dim * nodes[a] + c);
+                  sum += N[a] * nodal.values[c][a];
                 double &value = points.data(column, c)[p];
                 value         = keep * value + sum;
               }

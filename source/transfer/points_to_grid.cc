@@ -102,12 +102,20 @@ namespace seiche
           const auto          sum   = affine && points.n_points_in(cell) > 1 ?
                                         sum_cell<dim, affine, with_acceleration> :
                                         sum_cell<dim, false, with_acceleration>;
-          const CellSums<dim> sums  = sum(arrays,
-                                         points.first_point(cell),
-                                         points.first_point(cell + 1),
-                                         locator.lower_corner(cell),
-                                         locator.extent(cell));
+          CellSums<dim>       sums  = sum(arrays,
+                                   points.first_point(cell),
+                                   points.first_point(cell + 1),
+                                   locator.lower_corner(cell),
+                                   locator.extent(cell));
           const unsigned int *nodes = occupancy.cell_nodes(cell);
+          occupancy.condense(cell, sums.mass);
+          occupancy.condense(cell, sums.pressure);
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              occupancy.condense(cell, sums.momentum[c]);
+              if (with_acceleration)
+                occupancy.condense(cell, sums.acceleration[c]);
+            }
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
               mass[nodes[i]] += sums.mass[i];

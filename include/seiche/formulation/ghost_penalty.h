@@ -48,16 +48,25 @@ namespace seiche
   template <int dim>
   struct GhostFaceMatrix
   {
-    /// Nodes of the two cells: 3 in the direction of the normal.
-    static constexpr unsigned int n_nodes = 3u << (dim - 1);
+    static constexpr unsigned int max_nodes = 2u << dim;
 
-    unsigned int nodes[n_nodes]; ///< local node indices
-    double       B[n_nodes][n_nodes];
+    /// Nodes of the two cells: 3 in the direction of the normal. With hanging
+    /// nodes the list is that of one cell and then of the other, and a node
+    /// may occur in it twice.
+    unsigned int n_nodes = 0;
+    unsigned int nodes[max_nodes]; ///< local node indices
+    double       B[max_nodes][max_nodes];
     double       h; ///< mean edge length along the normal [m]
 
     /// Local.
     void
     evaluate(const GhostFace &face, const Occupancy<dim> &occupancy);
+
+  private:
+    void
+    evaluate_conforming(const GhostFace &face, const Occupancy<dim> &occupancy);
+    void
+    evaluate_hanging(const GhostFace &face, const Occupancy<dim> &occupancy);
   };
 
   /// @p damping false leaves out the velocity term (projection of v_0).

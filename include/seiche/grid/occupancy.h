@@ -2,6 +2,7 @@
 #ifndef seiche_grid_occupancy_h
 #define seiche_grid_occupancy_h
 
+#include <seiche/grid/hanging_nodes.h>
 #include <seiche/points/cell_locator.h>
 #include <seiche/points/point_cloud.h>
 
@@ -26,7 +27,8 @@ namespace seiche
    * halo). Only nodes of active cells exist for vectors, matrices and
    * solvers; the numbering lives until a point leaves the active cells. All
    * fields share the nodes: component c of node i of a vector field is entry
-   * dim*i + c. Local node indices: own nodes first, then ghosts.
+   * dim*i + c. Local node indices: own nodes first, then ghosts. Hanging
+   * nodes are no unknowns; their masters may lie on cells without fluid.
    *
    * The full numbering of the DoFHandler is known to this class alone.
    */
@@ -89,12 +91,34 @@ namespace seiche
       return active_flag[cell];
     }
 
-    /// Local node indices [nodes_per_cell()] of an active own or ghost cell;
-    /// lexicographic for degree 1 (deal.II's numbering of FE_Q otherwise).
+    /// Local node indices [nodes_per_cell()] of an active own or ghost cell,
+    /// masters in place of hanging nodes (expand() after reading values,
+    /// condense() before adding); lexicographic for degree 1 (deal.II's
+    /// numbering of FE_Q otherwise).
     const unsigned int *
     cell_nodes(const unsigned int cell) const
     {
       return compact_cell_nodes.data() + cell * nodes_per_cell();
+    }
+
+    /// Values at the cell's own nodes from those at cell_nodes(), in place.
+    void
+    expand(const unsigned int cell, double *values) const
+    {
+      hanging_nodes.expand(cell, values);
+    }
+
+    /// The transpose: sums over the cell, to be added at cell_nodes().
+    void
+    condense(const unsigned int cell, double *values) const
+    {
+      hanging_nodes.condense(cell, values);
+    }
+
+    const HangingNodes<dim> &
+    hanging() const
+    {
+      return hanging_nodes;
     }
 
     /// Own and own-plus-ghost nodes of the compact numbering.
@@ -154,17 +178,11 @@ namespace seiche
       return volume_full[full_of_compact[node]];
     }
 
+    /// Of an own node.
     const dealii::Point<dim> &
     node_position(const unsigned int node) const
     {
       return position_full[full_of_compact[node]];
-    }
-
-    /// Own and ghost cells that share a vertex with an own cell (without it).
-    const std::vector<unsigned int> &
-    vertex_neighbors(const unsigned int cell) const
-    {
-      return neighbors[cell];
     }
 
     /// Smallest edge length of all cells [m].
@@ -184,17 +202,13 @@ namespace seiche
 
     /// Call f(lower, upper, direction) for each face between two cells that
     /// @p takes_part, on the rank that assembles it: the lower of the two
-    /// owners. @p cells: own cells that take part. Local.
+    /// owners, and that of the finer cell at a level jump. @p cells: own cells
+    /// that take part. Local.
     template <typename Predicate, typename Function>
     void
     for_each_assembled_face(const std::vector<unsigned int> &cells,
                             const Predicate                 &takes_part,
                             const Function                  &f) const;
-
-    /// Send one value per own cell to the ranks that see it as ghost:
-    /// entries of ghost cells are overwritten. Collective.
-    void
-    exchange_to_ghosts(std::vector<double> &cell_values) const;
 
     const CellLocator<dim> &locator;
     const dealii::FE_Q<dim> fe;
@@ -202,13 +216,13 @@ namespace seiche
   private:
     // parts of reinit()
     void
-    number_cells_and_positions();
+    number_cells();
+    void
+    collect_positions();
     void
     collect_walls();
     void
     collect_volumes();
-    void
-    collect_neighbors();
 
     void
     exchange_flag(std::vector<char> &flag) const;
@@ -217,7 +231,13 @@ namespace seiche
     void
     number();
 
+    /// Nodes of active cells, known to their owners and to those who need
+    /// them. Collective.
+    std::vector<char>
+    find_used_nodes() const;
+
     dealii::DoFHandler<dim> dof_handler;
+    HangingNodes<dim>       hanging_nodes;
 
     // full mesh, local numbering of locally relevant dofs
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> full_partitioner;
@@ -227,13 +247,13 @@ namespace seiche
     std::vector<dealii::Point<dim>>                            position_full;
     std::vector<
       std::vector<std::pair<dealii::types::boundary_id, unsigned int>>>
-                                           walls_full;
-    std::vector<std::vector<unsigned int>> neighbors;
-    std::uint64_t                          global_cells = 0;
-    double                                 smallest     = 0.;
-    bool                                   open_wall    = false;
+                  walls_full;
+    std::uint64_t global_cells = 0;
+    double        smallest     = 0.;
+    bool          open_wall    = false;
 
     // compact numbering
+    bool                      is_numbered          = false;
     unsigned int              numbering_generation = 0;
     unsigned int              n_own                = 0;
     std::uint64_t             global_occupied      = 0;
@@ -255,16 +275,20 @@ namespace seiche
   {
     for (const unsigned int cell : cells)
       for (unsigned int direction = 0; direction < dim; ++direction)
-        {
-          const unsigned int above = locator.neighbor(cell, 2 * direction + 1);
-          if (above != locator.invalid && takes_part(above) &&
-              locator.owner(cell) <= locator.owner(above))
-            f(cell, above, direction);
-          const unsigned int below = locator.neighbor(cell, 2 * direction);
-          if (below != locator.invalid && takes_part(below) &&
-              locator.owner(cell) < locator.owner(below))
-            f(below, cell, direction);
-        }
+        for (const bool other_is_upper : {true, false})
+          {
+            const unsigned int other =
+              locator.neighbor(cell, 2 * direction + other_is_upper);
+            if (other == locator.invalid || !takes_part(other))
+              continue;
+            const bool jump = locator.level(other) < locator.level(cell);
+            if (other_is_upper &&
+                (jump || locator.owner(cell) <= locator.owner(other)))
+              f(cell, other, direction);
+            else if (!other_is_upper &&
+                     (jump || locator.owner(cell) < locator.owner(other)))
+              f(other, cell, direction);
+          }
   }
 } // namespace seiche
 

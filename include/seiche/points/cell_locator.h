@@ -4,6 +4,7 @@
 
 #include <seiche/scene/background_grid.h>
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -20,11 +21,12 @@ namespace seiche
    * Cells are numbered locally: 0 ... n_owned()-1 are the rank's own cells in
    * the order of the triangulation, then the ghost cells. All are
    * axis-parallel boxes, so a position is located in closed form: segment and
-   * index on the finest lattice per direction, then the cell whose lattice
-   * box holds the index. Cells are half-open, [lower, upper); only the upper
-   * sides of the domain belong to their cell. The result depends on the
-   * position alone, never on the rank count. A position on a wall up to
-   * 1e-10 of a cell belongs to the cell inside.
+   * index on the finest lattice (that of the finest level that refinement may
+   * make) per direction, then the cell whose lattice box holds the index. Cells
+   * are half-open, [lower, upper); only the upper sides of the domain belong to
+   * their cell. The result depends on the position alone, never on the rank
+   * count. A position on a wall up to 1e-10 of a cell belongs to the cell
+   * inside.
    */
   template <int dim>
   class CellLocator
@@ -116,13 +118,43 @@ namespace seiche
       return owners[cell];
     }
 
-    /// Cell across a face (deal.II's face number), or invalid at a wall and
-    /// where the neighbour is not known to this rank or is refined.
+    /// Cell across a face (deal.II's face number), of the same or a coarser
+    /// level; invalid at a wall and where the neighbour is not known to this
+    /// rank or is refined.
     unsigned int
     neighbor(const unsigned int cell, const unsigned int face) const
     {
-      return neighbors[cell][face];
+      return face_neighbors[cell][face];
     }
+
+    /// Own and ghost cells that share a vertex with an own cell (without it),
+    /// ascending. Across a level jump, cells that touch share a vertex too.
+    dealii::ArrayView<const unsigned int>
+    vertex_neighbors(const unsigned int cell) const
+    {
+      return {vertex_neighbor_list.data() + vertex_neighbor_begin[cell],
+              vertex_neighbor_begin[cell + 1] - vertex_neighbor_begin[cell]};
+    }
+
+    /// Refinement level above the coarse cells of the forest.
+    unsigned int
+    level(const unsigned int cell) const
+    {
+      return iterators[cell]->level();
+    }
+
+    /// Smallest edges among an own cell and its vertex neighbours [m]: what
+    /// moves no farther stays among these.
+    const dealii::Tensor<1, dim> &
+    reach(const unsigned int cell) const
+    {
+      return reaches[cell];
+    }
+
+    /// Send one value per own cell to the ranks that see it as ghost:
+    /// entries of ghost cells are overwritten. Collective.
+    void
+    exchange_to_ghosts(std::vector<double> &cell_values) const;
 
     /// Boundary id of a face at a wall, numbers::internal_face_boundary_id
     /// elsewhere.
@@ -132,10 +164,24 @@ namespace seiche
       return boundary_ids[cell][face];
     }
 
-    /// Global index of the cell on the finest lattice, x fastest: the same on
-    /// every rank count. Lowest lattice corner of the cell.
+    /// Number of cells of the finest lattice along an edge of the cell.
+    unsigned int
+    lattice_size(const unsigned int cell) const
+    {
+      return lattice_upper[cell][0] - lattice_lower[cell][0];
+    }
+
+    /// Global index on the finest lattice, x fastest, of a lattice cell inside
+    /// a cell, @p offset from its lowest: the same on every rank count and
+    /// mesh.
     std::uint64_t
-    lattice_index(const unsigned int cell) const;
+    lattice_index(const unsigned int                   cell,
+                  const std::array<unsigned int, dim> &offset = {}) const;
+
+    /// Box of that lattice cell.
+    dealii::BoundingBox<dim>
+    lattice_box(const unsigned int                   cell,
+                const std::array<unsigned int, dim> &offset) const;
 
     /// Local number of an own or ghost cell.
     unsigned int
@@ -187,7 +233,9 @@ namespace seiche
     add_cell(
       const typename dealii::Triangulation<dim>::active_cell_iterator &cell);
     void
-    find_neighbors();
+    find_face_neighbors();
+    void
+    find_vertex_neighbors();
 
     /// Index on the finest lattice; false if outside the box.
     bool
@@ -209,11 +257,14 @@ namespace seiche
     std::vector<dealii::Tensor<1, dim>>            extents;
     std::vector<double>                            measures;
     std::vector<unsigned int>                      owners;
-    std::vector<std::array<unsigned int, 2 * dim>> neighbors;
+    std::vector<std::array<unsigned int, 2 * dim>> face_neighbors;
     std::vector<std::array<dealii::types::boundary_id, 2 * dim>> boundary_ids;
-    std::vector<Lattice>      lattice_lower; // finest lattice box
-    std::vector<Lattice>      lattice_upper; // exclusive
-    std::vector<unsigned int> by_active_index;
+    std::vector<std::size_t>            vertex_neighbor_begin; // own cells
+    std::vector<unsigned int>           vertex_neighbor_list;
+    std::vector<dealii::Tensor<1, dim>> reaches;
+    std::vector<Lattice>                lattice_lower; // finest lattice box
+    std::vector<Lattice>                lattice_upper; // exclusive
+    std::vector<unsigned int>           by_active_index;
     std::vector<typename dealii::Triangulation<dim>::active_cell_iterator>
                            iterators;
     std::array<Lines, dim> lines;

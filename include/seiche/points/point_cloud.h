@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -106,6 +107,16 @@ namespace seiche
     void
     locate();
 
+    /// The mesh has been refined or coarsened without a change of owners and
+    /// the locator is up to date: find the cells of all points. Collective.
+    void
+    relocate();
+
+    /// The mesh has been repartitioned and the locator is up to date: send each
+    /// point to its @p new_owner [size()], a rank. Collective.
+    void
+    redistribute(const std::vector<unsigned int> &new_owner);
+
     /// Points that left through open sides since the start, all ranks.
     std::uint64_t
     n_outflow() const
@@ -152,6 +163,13 @@ namespace seiche
     /// Send points to the owners of their cells, receive others. Collective.
     void
     migrate(const std::vector<std::size_t> &emigrants);
+
+    /// Packets of points by rank; drops them here. Collective.
+    struct Packet;
+    void
+    pack(const std::size_t point, Packet &packet);
+    void
+    exchange(const std::map<unsigned int, Packet> &sent);
 
     /// Drop points with invalid cell and sort the rest by (cell, id).
     void

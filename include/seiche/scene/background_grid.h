@@ -2,6 +2,8 @@
 #ifndef seiche_scene_background_grid_h
 #define seiche_scene_background_grid_h
 
+#include <seiche/scene/refinement.h>
+
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 
@@ -50,10 +52,11 @@ namespace seiche
     std::array<std::vector<unsigned int>, dim> cells; // per segment, or empty
     std::array<WallCondition, 2 * dim>         walls; // by boundary id
     std::vector<Obstacle>                      obstacles;
+    RefinementParameters<dim>                  refinement;
 
     /// Makes room for the obstacles that @p input names.
     GridParameters(const InputFile &input);
-    /// Subsections "Grid", "Walls" and "Obstacle NAME".
+    /// Subsections "Grid", "Walls", "Obstacle NAME" and "Refinement NAME".
     void
     add_parameters(dealii::ParameterHandler &prm);
     /// Reads the parsed strings; InputError for what makes no sense.
@@ -84,6 +87,11 @@ namespace seiche
     std::vector<ObstacleText> obstacles_text;
   };
 
+  /// Name of a side of the box, e.g. "left", from its boundary id.
+  template <int dim>
+  std::string
+  side_name(const unsigned int id);
+
   /// Equal cells between two grid lines of one direction.
   struct GridSegment
   {
@@ -111,7 +119,9 @@ namespace seiche
    * Grid lines are given per direction by break points and the number of
    * equal cells between two of them. The coarse cells are as large as the
    * cell counts allow (the largest common power of two is made by
-   * refinement); coarse cells inside an obstacle do not exist. Boundary ids:
+   * refinement); coarse cells inside an obstacle do not exist. The cells of
+   * the lines are level 0 for the user; refinement criteria add levels, and
+   * cells that none of them claims may be coarser. Boundary ids:
    * 2 d and 2 d + 1 for the lower and upper side of the box in direction d,
    * 2 dim + i for obstacle i. Names of the sides: left, right, bottom, top in
    * 2D; left, right, front, back, bottom, top in 3D.
@@ -130,10 +140,11 @@ namespace seiche
                    MPI_Comm                   communicator);
 
     /// Divide the cells among the ranks so that each gets an equal share of
-    /// those whose centre @p holds_fluid; before any use of the cells.
-    /// Collective.
+    /// the weights; own cells only are asked. Collective.
     void
-    balance(const std::function<bool(const dealii::Point<dim> &)> &holds_fluid);
+    repartition(
+      const std::function<unsigned int(
+        const typename dealii::Triangulation<dim>::cell_iterator &)> &weight);
 
     const std::vector<Segment> &
     segments(const unsigned int direction) const;
@@ -142,9 +153,13 @@ namespace seiche
     unsigned int
     n_lattice_cells(const unsigned int direction) const;
 
-    /// Level of the cells that make the lattice (all, until refinement).
+    /// Forest level of the cells between the grid lines: the user's level 0.
     unsigned int
     lattice_level() const;
+
+    /// Greatest forest level that refinement may make.
+    unsigned int
+    finest_level() const;
 
     /// The cells that do not exist because of obstacle @p index.
     const LatticeBox &

@@ -2,6 +2,7 @@
 #ifndef seiche_simulation_simulation_h
 #define seiche_simulation_simulation_h
 
+#include <seiche/grid/mesh_adaptation.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene.h>
 #include <seiche/solve/velocity_projection.h>
@@ -75,6 +76,7 @@ namespace seiche
     const std::unique_ptr<Formulation<dim>> formulation;
     PointCloud<dim>                         points;
     const SeedingResult                     seeding;
+    MeshAdaptation<dim>                     mesh_adaptation;
     Occupancy<dim>                          occupancy;
     Fill<dim>                               fill;
     const std::unique_ptr<Quadrature<dim>>  quadrature;

@@ -74,6 +74,10 @@ namespace seiche
     void
     gather(const unsigned int cell, const GridState<dim> &state);
 
+    /// Rows and columns of hanging nodes go to their masters.
+    void
+    condense_tangent(const unsigned int cell);
+
     /// f(face matrix, coefficients) on each ghost face of this rank.
     template <typename Function>
     void

@@ -122,6 +122,12 @@ namespace seiche
     bool
     pattern_covers(const std::vector<GhostFace> &faces) const;
 
+    /// Number of a face, from the finer of its cells.
+    std::size_t
+    face_index(const unsigned int lower,
+               const unsigned int upper,
+               const unsigned int direction) const;
+
     /// Position of column node @p column in row node @p row.
     unsigned int
     position(const unsigned int row, const unsigned int column) const;
@@ -132,7 +138,7 @@ namespace seiche
 
     std::vector<unsigned int>  row_begin; // [n_local_nodes + 1]
     std::vector<unsigned int>  columns;   // local nodes, ascending in each row
-    std::vector<char>          covered_faces; // [cell * dim + direction]
+    std::vector<char>          covered_faces; // by face_index()
     std::vector<std::uint16_t> scatter;       // [cell][a][b] position in row a
     std::array<Matrices, 4>    blocks;
     std::unique_ptr<Epetra_Export> node_export, component_export;

@@ -30,11 +30,16 @@ namespace seiche
     double values[dim][LinearShape<dim>::n_nodes];
 
     void
-    gather(const double *vector, const unsigned int *nodes)
+    gather(const double         *vector,
+           const Occupancy<dim> &occupancy,
+           const unsigned int    cell)
     {
+      const unsigned int *nodes = occupancy.cell_nodes(cell);
       for (unsigned int i = 0; i < LinearShape<dim>::n_nodes; ++i)
         for (unsigned int c = 0; c < dim; ++c)
           values[c][i] = vector[dim * nodes[i] + c];
+      for (unsigned int c = 0; c < dim; ++c)
+        occupancy.expand(cell, values[c]);
     }
   };
 

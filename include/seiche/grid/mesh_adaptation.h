@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_grid_mesh_adaptation_h
+#define seiche_grid_mesh_adaptation_h
+
+#include <seiche/points/cell_locator.h>
+#include <seiche/points/point_cloud.h>
+#include <seiche/scene/background_grid.h>
+
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief Lets the mesh follow the fluid, and shares it out among the ranks.
+   *
+   * The grid carries nothing from step to step, so there is no field to
+   * transfer: only the points find their new cells. Cells are refined where a
+   * criterion (RefinementCriterion) asks for it and coarsened where none does;
+   * p4est keeps neighbours, also across vertices, within one level. Distances
+   * count in cells of the wanted level, so that refining and coarsening agree
+   * and a mesh that fits does not change.
+   */
+  template <int dim>
+  class MeshAdaptation
+  {
+  public:
+    /// Adapts the mesh to the points as they are and shares it out. References
+    /// must outlive the object. Collective.
+    MeshAdaptation(BackgroundGrid<dim> &grid,
+                   CellLocator<dim>    &locator,
+                   PointCloud<dim>     &points);
+
+    /// Adapt and share out if step number @p step asks for it, or at once if
+    /// the free surface touches a cell coarser than its level. True if the
+    /// mesh or the owners have changed. Collective.
+    bool
+    update(const unsigned int step);
+
+    /// Cells per rank by weight: largest share over the mean.
+    double
+    imbalance() const;
+
+  private:
+    /// One pass of refinement and coarsening; false if nothing changed.
+    bool
+    adapt();
+    /// Until nothing changes.
+    bool
+    adapt_fully();
+    bool
+    surface_left_its_level() const;
+    /// If the shares differ by more than a tenth.
+    bool
+    share_out();
+
+    void
+    find_fluid();
+    /// Raise wanted_level of the cells that a criterion claims.
+    void
+    claim(const RefinementCriterion<dim> &criterion);
+    /// ... that lie less than @p layers cells of the level from a seed.
+    void
+    claim_around(const std::vector<char> &seeds,
+                 const double             level,
+                 const unsigned int       layers);
+    /// Raise wanted_level so that neighbours differ by one at most: then the
+    /// forest does as it is told.
+    void
+    grade();
+    bool
+    siblings_are_too_fine(const unsigned int cell) const;
+    unsigned int
+    weight(const unsigned int cell) const;
+
+    BackgroundGrid<dim>             &grid;
+    CellLocator<dim>                &locator;
+    PointCloud<dim>                 &points;
+    const RefinementParameters<dim> &parameters;
+    const MPI_Comm                   communicator;
+
+    // own cells and ghosts (at_surface: own cells)
+    std::vector<char>   holds_fluid, at_surface;
+    std::vector<double> wanted_level; // forest level; for the exchange double
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/hanging_nodes.h>
+#include <seiche/utilities/compatibility.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  HangingNodes<dim>::reinit(const DoFHandler<dim>  &dof_handler,
+                            const CellLocator<dim> &locator)
+  {
+    n_nodes = dof_handler.get_fe().n_dofs_per_cell();
+    cell_nodes.assign(locator.n_cells() * n_nodes, numbers::invalid_dof_index);
+    matrix_of_cell.assign(locator.n_cells(), -1);
+    matrices.clear();
+    known.clear();
+
+    Constraints constraints(compatibility::locally_relevant_dofs(dof_handler));
+    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    constraints.close();
+
+    std::vector<types::global_dof_index> dofs(n_nodes);
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      {
+        const typename DoFHandler<dim>::active_cell_iterator iterator(
+          &dof_handler.get_triangulation(),
+          locator.iterator(cell)->level(),
+          locator.iterator(cell)->index(),
+          &dof_handler);
+        iterator->get_dof_indices(dofs);
+        resolve(cell, dofs, constraints);
+      }
+    exchange(locator);
+  }
+
+  template <int dim>
+  void
+  HangingNodes<dim>::resolve(const unsigned int                          cell,
+                             const std::vector<types::global_dof_index> &dofs,
+                             const Constraints &constraints)
+  {
+    types::global_dof_index  *nodes = &cell_nodes[cell * n_nodes];
+    std::vector<unsigned int> hanging;
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      if (constraints.is_constrained(dofs[a]))
+        hanging.push_back(a);
+      else
+        nodes[a] = dofs[a];
+    if (hanging.empty())
+      return;
+
+    const auto masters_of = [&](const unsigned int a) -> const auto &
+    {
+      return *constraints.get_constraint_entries(dofs[a]);
+    };
+    const auto place_of = [&](const types::global_dof_index node) {
+      return std::find(nodes, nodes + n_nodes, node) - nodes;
+    };
+    auto next = hanging.begin();
+    for (const unsigned int a : hanging)
+      for (const auto &[master, weight] : masters_of(a))
+        if (place_of(master) == n_nodes)
+          {
+            AssertThrow(next != hanging.end(),
+                        ExcMessage("More masters than hanging nodes."));
+            nodes[*next++] = master;
+          }
+    for (const unsigned int a : hanging)
+      if (nodes[a] == numbers::invalid_dof_index)
+        nodes[a] = masters_of(a).front().first; // its column is zero
+
+    std::vector<double> matrix(n_nodes * n_nodes, 0.);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      if (!constraints.is_constrained(dofs[a]))
+        matrix[a * n_nodes + a] = 1.;
+      else
+        for (const auto &[master, weight] : masters_of(a))
+          matrix[a * n_nodes + place_of(master)] = weight;
+    matrix_of_cell[cell] = store(matrix);
+  }
+
+  template <int dim>
+  int
+  HangingNodes<dim>::store(const std::vector<double> &matrix)
+  {
+    const auto [entry, is_new] = known.emplace(matrix, matrices.size());
+    if (is_new)
+      matrices.push_back(matrix);
+    return entry->second;
+  }
+
+  template <int dim>
+  void
+  HangingNodes<dim>::exchange(const CellLocator<dim> &locator)
+  {
+    const auto &triangulation = locator.grid.triangulation;
+    if (Utilities::MPI::n_mpi_processes(triangulation.get_communicator()) == 1)
+      return;
+    using Iterator =
+      typename parallel::distributed::Triangulation<dim>::active_cell_iterator;
+    // nodes, and the matrix if there is one
+    using Packet =
+      std::pair<std::vector<types::global_dof_index>, std::vector<double>>;
+    GridTools::exchange_cell_data_to_ghosts<Packet>(
+      triangulation,
+      [&](const Iterator &iterator) -> std::optional<Packet> {
+        const unsigned int cell = locator.index(iterator);
+        return Packet({nodes(cell), nodes(cell) + n_nodes},
+                      has_matrix(cell) ? matrices[matrix_of_cell[cell]] :
+                                         std::vector<double>());
+      },
+      [&](const Iterator &iterator, const Packet &packet) {
+        const unsigned int cell = locator.index(iterator);
+        std::copy(packet.first.begin(),
+                  packet.first.end(),
+                  &cell_nodes[cell * n_nodes]);
+        if (!packet.second.empty())
+          matrix_of_cell[cell] = store(packet.second);
+      });
+  }
+
+  template <int dim>
+  bool
+  HangingNodes<dim>::hangs(const unsigned int cell, const unsigned int a) const
+  {
+    return has_matrix(cell) &&
+           matrices[matrix_of_cell[cell]][a * n_nodes + a] != 1.;
+  }
+
+  template <int dim>
+  void
+  HangingNodes<dim>::multiply(const unsigned int cell, double *values) const
+  {
+    const double *C = matrices[matrix_of_cell[cell]].data();
+    double        result[max_nodes];
+    for (unsigned int a = 0; a < n_nodes; ++a, C += n_nodes)
+      result[a] = std::inner_product(C, C + n_nodes, values, 0.);
+    std::copy(result, result + n_nodes, values);
+  }
+
+  template <int dim>
+  void
+  HangingNodes<dim>::multiply_transposed(const unsigned int cell,
+                                         double            *values) const
+  {
+    const double *C                 = matrices[matrix_of_cell[cell]].data();
+    double        result[max_nodes] = {};
+    for (unsigned int a = 0; a < n_nodes; ++a, C += n_nodes)
+      for (unsigned int b = 0; b < n_nodes; ++b)
+        result[b] += C[b] * values[a];
+    std::copy(result, result + n_nodes, values);
+  }
+
+  template class HangingNodes<2>;
+  template class HangingNodes<3>;
+} // namespace seiche

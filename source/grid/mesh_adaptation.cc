@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/mesh_adaptation.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // work of a cell in units of a thousandth of a full cell's, measured
+    // (doc/scaling.md): assembly and solution of full cells, of cells with
+    // points as quadrature, and the transfers of a point
+    constexpr unsigned int weight_of_empty_cell   = 1;
+    constexpr unsigned int weight_of_full_cell    = 1000;
+    constexpr unsigned int weight_of_surface_cell = 2000;
+    constexpr unsigned int weight_of_point        = 15;
+
+    constexpr double tolerated_imbalance = 1.1;
+
+    /// Distance of two boxes, the largest of the directions; zero if they
+    /// touch or overlap.
+    template <int dim>
+    double
+    gap(const BoundingBox<dim> &a, const BoundingBox<dim> &b)
+    {
+      double result = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        result = std::max({result,
+                           a.lower_bound(d) - b.upper_bound(d),
+                           b.lower_bound(d) - a.upper_bound(d)});
+      return result;
+    }
+  } // namespace
+
+  template <int dim>
+  MeshAdaptation<dim>::MeshAdaptation(BackgroundGrid<dim> &background_grid,
+                                      CellLocator<dim>    &cell_locator,
+                                      PointCloud<dim>     &point_cloud)
+    : grid(background_grid)
+    , locator(cell_locator)
+    , points(point_cloud)
+    , parameters(background_grid.parameters.refinement)
+    , communicator(background_grid.triangulation.get_communicator())
+  {
+    find_fluid();
+    share_out();
+    if (parameters.is_adaptive() && adapt_fully())
+      share_out();
+  }
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::update(const unsigned int step)
+  {
+    const bool due = step % parameters.adapt_every == 0;
+    if (!parameters.is_adaptive())
+      {
+        if (!due || Utilities::MPI::n_mpi_processes(communicator) == 1)
+          return false;
+        find_fluid();
+        return share_out();
+      }
+    find_fluid();
+    if (!due && !surface_left_its_level())
+      return false;
+    const bool changed = adapt_fully();
+    return share_out() || changed;
+  }
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::adapt_fully()
+  {
+    bool changed = false;
+    for (unsigned int pass = 0; pass <= grid.finest_level() + 1; ++pass)
+      {
+        if (!adapt())
+          break;
+        changed = true;
+        find_fluid();
+      }
+    return changed;
+  }
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::find_fluid()
+  {
+    std::vector<double> flag(locator.n_cells(), 0.);
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      flag[cell] = points.n_points_in(cell) > 0;
+    locator.exchange_to_ghosts(flag);
+    holds_fluid.assign(flag.begin(), flag.end());
+    at_surface.assign(locator.n_cells(), 0);
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      if (holds_fluid[cell])
+        {
+          const auto neighbors = locator.vertex_neighbors(cell);
+          at_surface[cell] =
+            std::any_of(neighbors.begin(),
+                        neighbors.end(),
+                        [&](const unsigned int c) { return !holds_fluid[c]; });
+        }
+  }
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::surface_left_its_level() const
+  {
+    const unsigned int level =
+      grid.lattice_level() + parameters.free_surface_level();
+    bool left = false;
+    for (unsigned int cell = 0; cell < locator.n_owned() && !left; ++cell)
+      if (at_surface[cell])
+        {
+          const auto neighbors = locator.vertex_neighbors(cell);
+          left                 = locator.level(cell) < level ||
+                 std::any_of(neighbors.begin(),
+                             neighbors.end(),
+                             [&](const unsigned int c) {
+                               return locator.level(c) < level;
+                             });
+        }
+    return Utilities::MPI::max(left ? 1 : 0, communicator) == 1;
+  }
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::adapt()
+  {
+    wanted_level.assign(locator.n_cells(), 0.);
+    for (const auto &criterion : parameters.criteria)
+      claim(criterion);
+    grade();
+    bool flagged = false;
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      {
+        const auto &iterator = locator.iterator(cell);
+        if (locator.level(cell) < wanted_level[cell])
+          iterator->set_refine_flag();
+        else if (siblings_are_too_fine(cell))
+          iterator->set_coarsen_flag();
+        flagged = flagged || iterator->refine_flag_set() ||
+                  iterator->coarsen_flag_set();
+      }
+    if (Utilities::MPI::max(flagged ? 1 : 0, communicator) == 0)
+      return false;
+    const auto before = grid.triangulation.get_checksum();
+    grid.triangulation.execute_coarsening_and_refinement();
+    const bool changed = before != grid.triangulation.get_checksum();
+    if (Utilities::MPI::max(changed ? 1 : 0, communicator) == 0)
+      return false;
+    locator.reinit();
+    points.relocate();
+    return true;
+  }
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::grade()
+  {
+    for (bool changed = true; changed;)
+      {
+        locator.exchange_to_ghosts(wanted_level);
+        changed = false;
+        for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+          for (const unsigned int other : locator.vertex_neighbors(cell))
+            if (wanted_level[other] - 1. > wanted_level[cell])
+              {
+                wanted_level[cell] = wanted_level[other] - 1.;
+                changed            = true;
+              }
+        changed = Utilities::MPI::max(changed ? 1 : 0, communicator) == 1;
+      }
+  }
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::siblings_are_too_fine(const unsigned int cell) const
+  {
+    const unsigned int level = locator.level(cell);
+    if (level == 0 || wanted_level[cell] >= level)
+      return false;
+    const auto parent = locator.iterator(cell)->parent();
+    for (const auto &child : parent->child_iterators())
+      if (!child->is_active() || !child->is_locally_owned() ||
+          wanted_level[locator.index(child)] >= level)
+        return false;
+    return true;
+  }
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::claim(const RefinementCriterion<dim> &criterion)
+  {
+    const double level = grid.lattice_level() + criterion.level;
+    if (criterion.follows_fluid())
+      return claim_around(criterion.kind == RefinementKind::fluid ?
+                            holds_fluid :
+                            at_surface,
+                          level,
+                          criterion.layers);
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      {
+        bool wanted = criterion.kind == RefinementKind::box;
+        if (!wanted && holds_fluid[cell])
+          wanted = true;
+        if (wanted && std::any_of(criterion.places.begin(),
+                                  criterion.places.end(),
+                                  [&](const BoundingBox<dim> &place) {
+                                    return gap(place, locator.box(cell)) <=
+                                           criterion.distance;
+                                  }))
+          wanted_level[cell] = std::max(wanted_level[cell], level);
+      }
+  }
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::claim_around(const std::vector<char> &seeds,
+                                    const double             level,
+                                    const unsigned int       layers)
+  {
+    // Gap to the nearest seed in cells of the level (of the finest lattice's
+    // size, so that levels above and below it count right), growing from
+    // neighbour to neighbour; a seed's own neighbours have gap zero.
+    const double        unit = std::pow(2., grid.finest_level() - level);
+    const double        far  = std::numeric_limits<double>::max();
+    std::vector<double> begin(locator.n_cells(), far); // gap of what follows
+    std::vector<double> distance(locator.n_owned(), far);
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      if (seeds[cell])
+        begin[cell] = distance[cell] = 0.;
+    locator.exchange_to_ghosts(begin);
+    for (unsigned int layer = 0; layer < layers; ++layer)
+      {
+        for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+          for (const unsigned int other : locator.vertex_neighbors(cell))
+            distance[cell] = std::min(distance[cell], begin[other]);
+        for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+          if (distance[cell] < layers * unit && !seeds[cell])
+            begin[cell] = distance[cell] + locator.lattice_size(cell);
+        locator.exchange_to_ghosts(begin);
+      }
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      if (distance[cell] < layers * unit)
+        wanted_level[cell] = std::max(wanted_level[cell], level);
+  }
+
+  template <int dim>
+  unsigned int
+  MeshAdaptation<dim>::weight(const unsigned int cell) const
+  {
+    if (!holds_fluid[cell])
+      return weight_of_empty_cell;
+    return (at_surface[cell] ? weight_of_surface_cell : weight_of_full_cell) +
+           weight_of_point * points.n_points_in(cell);
+  }
+
+  template <int dim>
+  double
+  MeshAdaptation<dim>::imbalance() const
+  {
+    double own = 0.;
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      own += weight(cell);
+    return Utilities::MPI::max(own, communicator) *
+           Utilities::MPI::n_mpi_processes(communicator) /
+           Utilities::MPI::sum(own, communicator);
+  }
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::share_out()
+  {
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1 ||
+        imbalance() <= tolerated_imbalance)
+      return false;
+
+    std::vector<Point<dim>>   centres;
+    std::vector<unsigned int> n_points;
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      if (points.n_points_in(cell) > 0)
+        {
+          centres.push_back(locator.box(cell).center());
+          n_points.push_back(points.n_points_in(cell));
+        }
+    grid.repartition([&](const auto &cell) {
+      const auto active =
+        typename Triangulation<dim>::active_cell_iterator(cell);
+      return weight(locator.index(active));
+    });
+    const std::vector<unsigned int> owners =
+      grid.triangulation.find_point_owner_rank(centres);
+    std::vector<unsigned int> new_owner; // points are sorted by cell
+    new_owner.reserve(points.size());
+    for (std::size_t i = 0; i < owners.size(); ++i)
+      new_owner.insert(new_owner.end(), n_points[i], owners[i]);
+    locator.reinit();
+    points.redistribute(new_owner);
+    find_fluid();
+    return true;
+  }
+
+  template class MeshAdaptation<2>;
+  template class MeshAdaptation<3>;
+} // namespace seiche

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/parameters/nearest_name.h>
+#include <seiche/scene/background_grid.h>
+#include <seiche/scene/entry_values.h>
+#include <seiche/scene/refinement.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+#include <boost/algorithm/string.hpp>
+
+#include <algorithm>
+
+namespace seiche
+{
+  namespace
+  {
+    struct KindName
+    {
+      const char    *name;
+      RefinementKind kind;
+      const char    *description;
+    };
+
+    /// THE table of criteria.
+    constexpr std::array<KindName, 5> kind_table = {
+      {{"fluid",
+        RefinementKind::fluid,
+        "cells that hold fluid, and \"Layers\" of cells around"},
+       {"free surface",
+        RefinementKind::free_surface,
+        "cells at the free surface, and \"Layers\" of cells on either side"},
+       {"walls",
+        RefinementKind::walls,
+        "fluid up to \"Distance\" from the walls and obstacles in \"Names\""},
+       {"probes",
+        RefinementKind::probes,
+        "fluid up to \"Distance\" from the probes in \"Names\""},
+       {"box",
+        RefinementKind::box,
+        "everything between \"Lower corner\" and \"Upper corner\""}}};
+
+    RefinementKind
+    kind_from_string(const std::string &text)
+    {
+      for (const KindName &entry : kind_table)
+        if (text == entry.name)
+          return entry.kind;
+      Assert(false, dealii::ExcMessage("Unknown criterion: " + text));
+      return RefinementKind::fluid;
+    }
+
+    std::vector<std::string>
+    split(const std::string &text)
+    {
+      std::vector<std::string> names;
+      boost::split(names, text, boost::is_any_of(","));
+      for (std::string &name : names)
+        boost::trim(name);
+      names.erase(std::remove(names.begin(), names.end(), ""), names.end());
+      return names;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  RefinementParameters<dim>::RefinementParameters(const InputFile &input)
+  {
+    for (const std::string &name : input.instances("Refinement"))
+      {
+        criteria.emplace_back();
+        criteria.back().name = name;
+        texts.emplace_back();
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  RefinementParameters<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    using dealii::Patterns::Double;
+    using dealii::Patterns::Integer;
+    prm.enter_subsection("Grid");
+    prm.add_parameter("Adapt every",
+                      adapt_every,
+                      "An adaptive mesh (subsections \"Refinement NAME\") "
+                      "follows the fluid every so many steps, and at once "
+                      "where the free surface reaches a coarser cell. [-]",
+                      Integer(1));
+    prm.leave_subsection();
+
+    std::string names,
+      text = "Where cells have at least this level. Several criteria may "
+             "overlap: the greatest level counts.";
+    for (const KindName &entry : kind_table)
+      {
+        names += (names.empty() ? "" : "|") + std::string(entry.name);
+        text += std::string(" ") + entry.name + ": " + entry.description + ".";
+      }
+    for (unsigned int i = 0; i < criteria.size(); ++i)
+      {
+        prm.enter_subsection("Refinement " + criteria[i].name);
+        prm.add_parameter("Criterion",
+                          texts[i].kind,
+                          text,
+                          dealii::Patterns::Selection(names));
+        prm.add_parameter("Level",
+                          criteria[i].level,
+                          "Level of the cells: their edges are 2^-Level of "
+                          "those of subsection \"Grid\". [-]",
+                          Integer(0, 12));
+        prm.add_parameter("Layers",
+                          criteria[i].layers,
+                          "Cells of this level around the fluid, or on "
+                          "either side of the free surface. [-]",
+                          Integer(1, 100));
+        prm.add_parameter("Distance",
+                          criteria[i].distance,
+                          "From the walls or probes. [m]",
+                          Double(0.));
+        prm.add_parameter("Names",
+                          texts[i].names,
+                          "Of walls (sides of the domain and obstacles) or "
+                          "probes, separated by commas; empty: all of them.");
+        prm.add_parameter("Lower corner",
+                          texts[i].lower,
+                          "Corner of the box with the smallest coordinates. "
+                          "[m]");
+        prm.add_parameter("Upper corner",
+                          texts[i].upper,
+                          "Opposite corner. [m]");
+        prm.leave_subsection();
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  RefinementParameters<dim>::check(const InputFile           &input,
+                                   const GridParameters<dim> &grid)
+  {
+    for (unsigned int i = 0; i < criteria.size(); ++i)
+      {
+        RefinementCriterion<dim> &criterion = criteria[i];
+        criterion.kind                      = kind_from_string(texts[i].kind);
+        criterion.places.clear();
+        const std::string path = "Refinement " + criterion.name + "/";
+        if (criterion.kind == RefinementKind::box)
+          read_box(input, i);
+        else if (!criterion.follows_fluid())
+          {
+            input.require(criterion.distance > 0.,
+                          path + "Distance",
+                          "this criterion needs one greater than zero [m].");
+            if (criterion.kind == RefinementKind::walls)
+              read_walls(input, grid, i);
+            else
+              read_probes(input, i);
+          }
+      }
+    input.require(
+      criteria.empty() || std::any_of(criteria.begin(),
+                                      criteria.end(),
+                                      [](const auto &criterion) {
+                                        return criterion.follows_fluid();
+                                      }),
+      criteria.empty() ? "" : "Refinement " + criteria[0].name + "/Criterion",
+      "an adaptive mesh needs the criterion \"fluid\" or \"free "
+      "surface\": add one, or the fluid lies in the coarsest "
+      "cells.");
+  }
+
+
+
+  template <int dim>
+  void
+  RefinementParameters<dim>::read_walls(const InputFile           &input,
+                                        const GridParameters<dim> &grid,
+                                        const unsigned int         index)
+  {
+    const std::string path = "Refinement " + criteria[index].name + "/Names";
+    std::vector<std::string>              known;
+    std::vector<dealii::BoundingBox<dim>> boxes;
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      {
+        auto corners = std::make_pair(grid.lower_corner, grid.upper_corner);
+        (side % 2 == 0 ? corners.second : corners.first)[side / 2] =
+          (side % 2 == 0 ? corners.first : corners.second)[side / 2];
+        known.push_back(side_name<dim>(side));
+        boxes.emplace_back(corners);
+      }
+    for (const auto &obstacle : grid.obstacles)
+      {
+        known.push_back(obstacle.name);
+        boxes.emplace_back(
+          std::make_pair(obstacle.lower_corner, obstacle.upper_corner));
+      }
+    const std::vector<std::string> names = split(texts[index].names);
+    for (const std::string &name : names.empty() ? known : names)
+      {
+        const auto found = std::find(known.begin(), known.end(), name);
+        input.require(found != known.end(),
+                      path,
+                      "there is no wall \"" + name + "\". Walls are " +
+                        quoted_list(known) + ".");
+        criteria[index].places.push_back(boxes[found - known.begin()]);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  RefinementParameters<dim>::read_probes(const InputFile   &input,
+                                         const unsigned int index)
+  {
+    const std::string path = "Refinement " + criteria[index].name + "/Names";
+    const std::vector<std::string> known = input.instances("Probe");
+    input.require(!known.empty(),
+                  path,
+                  "there is no probe; add a subsection \"Probe NAME\".");
+    const std::vector<std::string> names = split(texts[index].names);
+    for (const std::string &name : names.empty() ? known : names)
+      {
+        input.require(std::find(known.begin(), known.end(), name) !=
+                        known.end(),
+                      path,
+                      "there is no probe \"" + name + "\". Probes are " +
+                        quoted_list(known) + ".");
+        const std::string position = "Probe " + name + "/Position";
+        const auto        place =
+          entry_values::point<dim>(input, position, input.value(position));
+        criteria[index].places.emplace_back(std::make_pair(place, place));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  RefinementParameters<dim>::read_box(const InputFile   &input,
+                                      const unsigned int index)
+  {
+    const std::string path  = "Refinement " + criteria[index].name + "/";
+    const auto        lower = entry_values::point<dim>(input,
+                                                path + "Lower corner",
+                                                texts[index].lower);
+    const auto        upper = entry_values::point<dim>(input,
+                                                path + "Upper corner",
+                                                texts[index].upper);
+    for (unsigned int d = 0; d < dim; ++d)
+      input.require(lower[d] < upper[d],
+                    path + "Upper corner",
+                    "must be greater than \"Lower corner\" in every "
+                    "direction.");
+    criteria[index].places.emplace_back(std::make_pair(lower, upper));
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  RefinementParameters<dim>::finest_level() const
+  {
+    unsigned int level = 0;
+    for (const auto &criterion : criteria)
+      level = std::max(level, criterion.level);
+    return level;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  RefinementParameters<dim>::free_surface_level() const
+  {
+    unsigned int level = 0;
+    for (const auto &criterion : criteria)
+      if (criterion.kind == RefinementKind::free_surface)
+        level = std::max(level, criterion.level);
+    return level;
+  }
+
+
+
+  template struct RefinementParameters<2>;
+  template struct RefinementParameters<3>;
+} // namespace seiche
