@@ -81,6 +81,52 @@ namespace seiche
 
 
 
+    /// The same for a cell with hanging nodes, at its masters: x_I is the
+    /// place of the master, and N_I its share of the point.
+    template <int dim>
+    CellSums<dim>
+    sum_hanging_cell(const PointArrays<dim, const PointCloud<dim>> &arrays,
+                     const PointCloud<dim>                         &points,
+                     const Occupancy<dim>                          &occupancy,
+                     const unsigned int                             cell,
+                     const bool                                     affine,
+                     const bool with_acceleration)
+    {
+      constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
+      const unsigned int    *nodes   = occupancy.cell_nodes(cell);
+      CellSums<dim>          sums;
+      for (std::size_t p = points.first_point(cell);
+           p < points.first_point(cell + 1);
+           ++p)
+        {
+          const dealii::Point<dim> x = points.position(p);
+          double                   N[n_nodes];
+          LinearShape<dim>::values(points.locator.to_unit(cell, x), N);
+          occupancy.condense(cell, N);
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            {
+              N[i] *= arrays.mass[p];
+              sums.mass[i] += N[i];
+              sums.pressure[i] += N[i] * arrays.pressure[p];
+              const dealii::Tensor<1, dim> arm =
+                occupancy.node_position(nodes[i]) - x;
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  double value = arrays.velocity[c][p];
+                  if (affine)
+                    for (unsigned int d = 0; d < dim; ++d)
+                      value += arrays.gradient[c * dim + d][p] * arm[d];
+                  sums.momentum[c][i] += N[i] * value;
+                  if (with_acceleration)
+                    sums.acceleration[c][i] += N[i] * arrays.acceleration[c][p];
+                }
+            }
+        }
+      return sums;
+    }
+
+
+
     template <int dim, bool affine, bool with_acceleration>
     void
     sum_all_cells(const PointCloud<dim> &points,
@@ -99,23 +145,23 @@ namespace seiche
         {
           // A point alone in its cell defines no gradient: C would feed on
           // itself through nodes of little mass, and spray explode.
-          const auto          sum   = affine && points.n_points_in(cell) > 1 ?
+          const bool with_gradient  = affine && points.n_points_in(cell) > 1;
+          const auto sum            = with_gradient ?
                                         sum_cell<dim, affine, with_acceleration> :
                                         sum_cell<dim, false, with_acceleration>;
-          CellSums<dim>       sums  = sum(arrays,
-                                   points.first_point(cell),
-                                   points.first_point(cell + 1),
-                                   locator.lower_corner(cell),
-                                   locator.extent(cell));
+          const CellSums<dim> sums  = occupancy.hanging().has_matrix(cell) ?
+                                        sum_hanging_cell(arrays,
+                                                        points,
+                                                        occupancy,
+                                                        cell,
+                                                        with_gradient,
+                                                        with_acceleration) :
+                                        sum(arrays,
+                                           points.first_point(cell),
+                                           points.first_point(cell + 1),
+                                           locator.lower_corner(cell),
+                                           locator.extent(cell));
           const unsigned int *nodes = occupancy.cell_nodes(cell);
-          occupancy.condense(cell, sums.mass);
-          occupancy.condense(cell, sums.pressure);
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              occupancy.condense(cell, sums.momentum[c]);
-              if (with_acceleration)
-                occupancy.condense(cell, sums.acceleration[c]);
-            }
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
               mass[nodes[i]] += sums.mass[i];

@@ -226,6 +226,30 @@ GEOMETRY = [
          **added("subsection Obstacle box\n  set Lower corner = 0.9, 0\n"
                  "  set Upper corner = 1.2, 0.1\nend\n"),
          line=LAST + 3, expect=['"Upper corner" in "Obstacle box"']),
+    Case("unknown refinement criterion",
+         **added("subsection Refinement a\n  set Criterion = surface\nend\n"),
+         line=LAST + 2, expect=['"Criterion" in "Refinement a"',
+                                "free surface"]),
+    Case("refinement that never sees the fluid",
+         **added("subsection Refinement a\n  set Criterion = box\n"
+                 "  set Lower corner = 0, 0\n  set Upper corner = 1, 1\nend\n"),
+         line=LAST + 2, expect=['"Criterion" in "Refinement a"', '"fluid"']),
+    Case("refinement near walls without a distance",
+         **added("subsection Refinement a\n  set Criterion = walls\nend\n"),
+         line=LAST + 1, expect=['"Distance" in "Refinement a"']),
+    Case("refinement near an unknown wall",
+         **added("subsection Refinement a\n  set Criterion = walls\n"
+                 "  set Distance = 0.1\n  set Names = left, lid\nend\n"),
+         line=LAST + 4, expect=['"Names" in "Refinement a"', '"lid"',
+                                '"left"']),
+    Case("refinement near probes that are not there",
+         **added("subsection Refinement a\n  set Criterion = probes\n"
+                 "  set Distance = 0.1\nend\n"),
+         line=LAST + 1, expect=['"Names" in "Refinement a"', "no probe"]),
+    Case("refinement box inside out",
+         **added("subsection Refinement a\n  set Criterion = box\n"
+                 "  set Lower corner = 1, 1\n  set Upper corner = 0, 0\nend\n"),
+         line=LAST + 4, expect=['"Upper corner" in "Refinement a"']),
     Case("fluid outside the domain", "= 0.4, 0.3", "= 1.4, 0.3", line=None,
          expect=["scene.prm:", '"Fluid body column"']),
     Case("body inside out", "= 0.4, 0.3", "= -0.4, 0.3", line=None,

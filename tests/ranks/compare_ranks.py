@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Run a scene on 1 and 2 ranks and compare, or check its mirror symmetry.
+"""Run a scene on 1 and N ranks and compare, or check its mirror symmetry.
 
-compare_ranks.py SEICHE MPIRUN SCENE.prm [--mirror-y Y] [--set "S/E = v"]...
+compare_ranks.py SEICHE MPIRUN SCENE.prm [--ranks N] [--mirror-y Y]
+                 [--set "S/E = v"]...
 
 Ranks: all columns of statistics.csv but the iteration counts agree to 1e-8 of
 each column's largest value (or of its scale, for columns that are zero but for
@@ -77,13 +78,18 @@ def main():
         at = options.index("--mirror-y")
         plane = float(options[at + 1])
         del options[at : at + 2]
+    ranks = "2"
+    if "--ranks" in options:
+        at = options.index("--ranks")
+        ranks = options[at + 1]
+        del options[at : at + 2]
     with tempfile.TemporaryDirectory() as folder:
         one = run(seiche, [], scene, options, os.path.join(folder, "1"))
         if plane is not None:
             errors = mirror_errors(one, plane)
         else:
-            launcher = [mpirun, "-n", "2"]
-            two = run(seiche, launcher, scene, options, os.path.join(folder, "2"))
+            launcher = [mpirun, "-n", ranks]
+            two = run(seiche, launcher, scene, options, os.path.join(folder, "n"))
             errors = {
                 name: difference(name, one, two)
                 for name in one

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Mass, momentum, angular momentum and energy through each transfer, and
 // what is exact for linear fields.
+#include <seiche/grid/mesh_adaptation.h>
 #include <seiche/transfer/transfer.h>
 
 #include <cmath>
@@ -105,6 +106,22 @@ namespace
 
 
 
+  /// Finer cells in a part of the body: hanging nodes.
+  template <int dim>
+  std::string
+  refinement_text()
+  {
+    const std::string z = dim == 3 ? ", 0.5" : "";
+    return "subsection Refinement a\n set Criterion = fluid\n"
+           "set Level = 0\nend\n"
+           "subsection Refinement b\n set Criterion = box\n"
+           "set Lower corner = 0.4, 0.5" +
+           z + "\n set Upper corner = 0.5, 0.6" + (dim == 3 ? ", 0.6" : "") +
+           "\n set Level = 1\nend\n";
+  }
+
+
+
   /// A body away from the walls that spins and shears.
   template <int dim>
   std::string
@@ -128,20 +145,24 @@ namespace
 
   template <int dim>
   void
-  test(const std::string &method)
+  test(const std::string &method, const bool adaptive)
   {
     if (root())
-      std::cout << dim << "D " << method << std::endl;
-    const SceneFromText<dim>          scene(scene_text<dim>());
-    const seiche::BackgroundGrid<dim> grid(scene.grid_parameters, communicator);
-    const seiche::CellLocator<dim>    locator(grid);
-    seiche::TransferParameters        parameters;
+      std::cout << dim << "D " << method << (adaptive ? ", hanging nodes" : "")
+                << std::endl;
+    const SceneFromText<dim>    scene(scene_text<dim>() +
+                                   (adaptive ? refinement_text<dim>() : ""));
+    seiche::BackgroundGrid<dim> grid(scene.grid_parameters, communicator);
+    seiche::CellLocator<dim>    locator(grid);
+    seiche::TransferParameters  parameters;
     parameters.method = method;
     seiche::PointCloud<dim> points(locator,
                                    seiche::Transfer<dim>::columns(parameters),
                                    communicator);
     seiche::seed_bodies(
       scene.seeding, scene.bodies, scene.input, /*density=*/100., points);
+    if (adaptive)
+      seiche::MeshAdaptation<dim>(grid, locator, points);
     seiche::Occupancy<dim> occupancy(locator, /*degree=*/1);
     occupancy.update(points);
     seiche::GridState<dim> state;
@@ -178,7 +199,12 @@ namespace
                 << (pressure_error < 1e-10 ? "yes" : "no") << std::endl;
 
     // a force-free step with a known acceleration field: a = (1, 2 x, ...)
-    for (unsigned int node = 0; node < occupancy.n_local_nodes(); ++node)
+    for (auto *vector : {&state.acceleration_np1,
+                         &state.velocity_np1,
+                         &state.displacement(),
+                         &state.pressure()})
+      vector->zero_out_ghost_values();
+    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
       {
         const auto &x = occupancy.node_position(node);
         for (unsigned int d = 0; d < dim; ++d)
@@ -193,6 +219,11 @@ namespace
           }
         state.pressure().local_element(node) = 3. + x[1];
       }
+    for (auto *vector : {&state.acceleration_np1,
+                         &state.velocity_np1,
+                         &state.displacement(),
+                         &state.pressure()})
+      vector->update_ghost_values();
     const seiche::StepCheck check = transfer.check(state, points);
     transfer.grid_to_points(state, points);
     print("points after", of_points(points));
@@ -234,7 +265,12 @@ main(int argc, char **argv)
                              "APIC",
                              "affine FLIP"})
     {
-      test<2>(method);
-      test<3>(method);
+      test<2>(method, /*adaptive=*/false);
+      test<3>(method, /*adaptive=*/false);
+    }
+  for (const char *method : {"FLIP acceleration", "affine FLIP"})
+    {
+      test<2>(method, /*adaptive=*/true);
+      test<3>(method, /*adaptive=*/true);
     }
 }

@@ -178,7 +178,7 @@ namespace seiche
       return volume_full[full_of_compact[node]];
     }
 
-    /// Of an own node.
+    /// Of an own node, or of a node of an own cell.
     const dealii::Point<dim> &
     node_position(const unsigned int node) const
     {

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The adaptive mesh: levels where the criteria ask for them, nothing changes
+// in a second pass, hanging nodes keep linear functions, ghost faces see no
+// jump in them, also across level jumps. Same output on any number of ranks.
+#include <seiche/formulation/ghost_penalty.h>
+#include <seiche/grid/mesh_adaptation.h>
+
+#include "scene_from_text.h"
+
+namespace
+{
+  using namespace seiche;
+  using dealii::Point;
+
+  const MPI_Comm communicator = MPI_COMM_WORLD;
+
+  template <typename T>
+  T
+  global_sum(const T value)
+  {
+    return dealii::Utilities::MPI::sum(value, communicator);
+  }
+
+  double
+  global_max(const double value)
+  {
+    return dealii::Utilities::MPI::max(value, communicator);
+  }
+
+  template <typename... T>
+  void
+  print(const T &...items)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        (std::cout << ... << items);
+        std::cout << std::endl;
+      }
+  }
+
+  /// Fluid in a corner of a box of cells 0.2; three levels, an obstacle, and a
+  /// box that forces a level jump through the surface.
+  template <int dim>
+  std::string
+  scene_text()
+  {
+    const std::string zero   = dim == 3 ? ", 0" : "";
+    const auto        corner = [](const std::string &v) {
+      return v + ", " + v + (dim == 3 ? ", " + v : "");
+    };
+    return "subsection Grid\n set Lower corner = " + corner("0") +
+           "\n set Upper corner = " + corner("1.6") +
+           "\n set Cell size = 0.2\nend\n"
+           "subsection Obstacle block\n set Lower corner = 0.8, 0" +
+           zero + "\n set Upper corner = 1.0, 0.2" + (dim == 3 ? ", 0.2" : "") +
+           "\nend\n"
+           "subsection Fluid body a\n set Lower corner = " +
+           corner("0") + "\n set Upper corner = " + corner("0.8") +
+           "\nend\n"
+           "subsection Points\n set Jitter = 0.3\n"
+           "set Per cell and direction = 2\nend\n"
+           "subsection Refinement surface\n set Criterion = free surface\n"
+           "set Level = 1\nend\n"
+           "subsection Refinement fluid\n set Criterion = fluid\n"
+           "set Level = 0\n set Layers = 1\nend\n"
+           "subsection Refinement wall\n set Criterion = walls\n"
+           "set Names = block\n set Distance = 0.05\n set Level = 2\nend\n"
+           "subsection Refinement probe\n set Criterion = box\n"
+           "set Lower corner = " +
+           corner("0.7") + "\n set Upper corner = " + corner("0.85") +
+           "\n set Level = 2\nend\n";
+  }
+
+  template <int dim>
+  double
+  linear(const Point<dim> &x)
+  {
+    return 1. + 2. * x[0] - 3. * x[1] + (dim == 3 ? 0.7 * x[dim - 1] : 0.);
+  }
+
+  /// Values of the linear function at the cell's own nodes from those at the
+  /// nodes that are unknowns.
+  template <int dim>
+  double
+  error_of_linear(const Occupancy<dim>                  &occupancy,
+                  const typename Occupancy<dim>::Vector &values)
+  {
+    double error = 0.;
+    for (const unsigned int cell : occupancy.active_cells())
+      {
+        double at[LinearShape<dim>::n_nodes];
+        for (unsigned int a = 0; a < LinearShape<dim>::n_nodes; ++a)
+          at[a] = values.local_element(occupancy.cell_nodes(cell)[a]);
+        occupancy.expand(cell, at);
+        for (unsigned int a = 0; a < LinearShape<dim>::n_nodes; ++a)
+          {
+            Point<dim> x = occupancy.locator.lower_corner(cell);
+            for (unsigned int d = 0; d < dim; ++d)
+              x[d] += LinearShape<dim>::corner(a, d) *
+                      occupancy.locator.extent(cell)[d];
+            error = std::max(error, std::abs(at[a] - linear<dim>(x)));
+          }
+      }
+    return global_max(error);
+  }
+
+  template <int dim>
+  void
+  print_levels(const char *title, const CellLocator<dim> &locator)
+  {
+    std::vector<unsigned int> count(locator.grid.finest_level() + 1, 0);
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      ++count[locator.level(cell)];
+    std::string text;
+    for (unsigned int &n : count)
+      text += " " + std::to_string(global_sum(n));
+    print(title, text);
+  }
+
+  template <int dim>
+  void
+  test()
+  {
+    print(dim, "D");
+    const SceneFromText<dim> scene(scene_text<dim>());
+    BackgroundGrid<dim>      grid(scene.grid_parameters, communicator);
+    CellLocator<dim>         locator(grid);
+    PointCloud<dim>          points(locator, {}, communicator);
+    seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
+    print("points ", points.n_global());
+    MeshAdaptation<dim> adaptation(grid, locator, points);
+    print_levels("cells by level:", locator);
+    print("points ", points.n_global());
+    print("a second pass changes the mesh: ",
+          adaptation.update(scene.grid_parameters.refinement.adapt_every) &&
+            dealii::Utilities::MPI::n_mpi_processes(communicator) == 1);
+    print_levels("cells by level:", locator);
+
+    Occupancy<dim> occupancy(locator, /*degree=*/1);
+    occupancy.update(points);
+    Fill<dim> fill(occupancy, /*gauss=*/true);
+    fill.update(points);
+    print("nodes ", occupancy.n_global_nodes());
+    typename Occupancy<dim>::Vector values(occupancy.scalar_partitioner());
+    double                          volume = 0., filled = 0.;
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      {
+        values.local_element(i) = linear<dim>(occupancy.node_position(i));
+        filled += fill.nodal_fill().local_element(i) * occupancy.node_volume(i);
+      }
+    values.update_ghost_values();
+    for (const unsigned int cell : occupancy.occupied_cells())
+      volume += fill.cell_fill(cell) * locator.measure(cell);
+    print("linear function kept: ",
+          error_of_linear(occupancy, values) < 1e-13 ? "yes" : "no",
+          ", fill of nodes sums up to that of cells: ",
+          std::abs(global_sum(filled) - global_sum(volume)) <
+              1e-9 * global_sum(volume) ?
+            "yes" :
+            "no");
+
+    // ghost faces: no jump in the linear function, rows sum up to zero, and
+    // half the squared kink of |x_0 - place| is integrated exactly
+    GhostFaceMatrix<dim> matrix;
+    double               worst = 0., rows = 0.;
+    unsigned int         hanging = 0;
+    for (const GhostFace &face : fill.ghost_faces())
+      {
+        matrix.evaluate(face, occupancy);
+        hanging += locator.level(face.lower) != locator.level(face.upper);
+        for (unsigned int a = 0; a < matrix.n_nodes; ++a)
+          {
+            double jump = 0., sum = 0.;
+            for (unsigned int b = 0; b < matrix.n_nodes; ++b)
+              {
+                jump += matrix.B[a][b] * values.local_element(matrix.nodes[b]);
+                sum += matrix.B[a][b];
+              }
+            worst = std::max(worst, std::abs(jump));
+            rows  = std::max(rows, std::abs(sum));
+          }
+      }
+    print("ghost faces ",
+          global_sum(fill.ghost_faces().size()),
+          ", across a level jump ",
+          global_sum(hanging),
+          ", jump of the linear function: ",
+          global_max(worst) < 1e-11 ? "none" : "yes",
+          ", row sums: ",
+          global_max(rows) < 1e-11 ? "zero" : "not zero");
+
+    // the fluid moves: the mesh follows, and leaves what is empty
+    for (unsigned int step = 0; step < 8; ++step)
+      {
+        for (std::size_t p = 0; p < points.size(); ++p)
+          points.data(PointColumn::position, 1)[p] += 0.05;
+        points.locate();
+        if (adaptation.update(step + 1))
+          occupancy.reinit();
+        occupancy.update(points);
+      }
+    print_levels("moved up by 0.4, cells by level:", locator);
+    print("points ", points.n_global(), ", nodes ", occupancy.n_global_nodes());
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test<2>();
+  test<3>();
+}
