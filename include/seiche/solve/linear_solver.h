@@ -32,7 +32,15 @@ namespace seiche
   struct LinearResult
   {
     bool         converged  = false;
-    unsigned int iterations = 0; ///< Krylov iterations, 0 for direct
+    unsigned int iterations = 0;  ///< Krylov iterations, 0 for direct
+    double       reduction  = 0.; ///< residual over its first value, if failed
+
+    /// Not as good as asked, but a gain: another iteration around it goes on.
+    bool
+    is_usable(const double largest_reduction) const
+    {
+      return converged || reduction <= largest_reduction;
+    }
   };
 
   /**
@@ -66,8 +74,9 @@ namespace seiche
       preconditioner.reset();
     }
 
-    /// Reduce the scaled residual by @p tolerance, from zero; a solve that
-    /// fails is repeated once with a new AMG hierarchy. The mean of the
+    /// Reduce the scaled residual by @p tolerance, from zero. A solve that
+    /// fails is repeated once with a new preconditioner, then, if the solver
+    /// is "automatic" and the system not large, directly. The mean of the
     /// pressure is zero where only its gradient counts. Collective.
     LinearResult
     solve(BlockVector       &solution,
@@ -90,6 +99,7 @@ namespace seiche
     std::function<void()>        set_up; ///< of the preconditioner
     double                       row_scale = 1.;
     bool                         direct    = false;
+    bool                         rescue    = false; ///< direct after failure
     bool                         closed    = false; ///< p up to a constant
     BlockPreconditioner<dim>     preconditioner;
     BlockVector                  scaled;

@@ -69,6 +69,7 @@ namespace seiche
 
     const NewtonParameters parameters;
     const double           largest_forcing;
+    unsigned int           stalls = 0; ///< since the last success
     Assembler<dim>        &assembler;
     BlockMatrix<dim>      &matrix;
     LinearSolver<dim>     &solver;
