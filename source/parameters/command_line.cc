@@ -26,7 +26,7 @@ namespace seiche
     {
       throw InputError("command line: " + problem +
                        " Usage: seiche FILE.prm [--set \"Subsection/Entry = "
-                       "value\"]... [--output DIR] [--validate] "
+                       "value\"]... [--output DIR] [--restart] [--validate] "
                        "[--print-parameters] [--version] [--help]");
     }
 
@@ -45,6 +45,7 @@ namespace seiche
       const std::string hint = nearest_hint(name,
                                             {"--set",
                                              "--output",
+                                             "--restart",
                                              "--validate",
                                              "--print-parameters",
                                              "--version",
@@ -75,6 +76,9 @@ namespace seiche
       app.add_option("--output",
                      result.output,
                      "Folder of the results [name of the file]");
+    app.add_flag("--restart",
+                 result.restart,
+                 "Go on from the newest checkpoint in that folder");
     app.add_flag("--validate",
                  result.validate,
                  "Read and check everything, compute nothing");

@@ -60,6 +60,28 @@ namespace seiche
         }
     }
 
+    void
+    collect_values(const Json                         &node,
+                   const std::string                  &prefix,
+                   std::map<std::string, std::string> &result)
+    {
+      for (const auto &[name, child] : node.items())
+        if (child.contains("pattern_description"))
+          result[prefix + name] = child.value("value", "");
+        else if (!child.contains("alias"))
+          collect_values(child, prefix + name + "/", result);
+    }
+
+    Json
+    printed(const dealii::ParameterHandler &prm)
+    {
+      std::stringstream text;
+      prm.print_parameters(text,
+                           dealii::ParameterHandler::JSON |
+                             dealii::ParameterHandler::KeepDeclarationOrder);
+      return Json::parse(text.str());
+    }
+
     /// ` >= 0`, ` between 0 and 1` or nothing for limits as deal.II prints
     /// them; its largest numbers mean that there is no limit, a tiny lower one
     /// that zero is excluded.
@@ -173,12 +195,18 @@ namespace seiche
     for (const std::string &path : prm.get_entries_wrongly_not_set())
       mandatory.insert(demangled(path));
 
-    std::stringstream text;
-    prm.print_parameters(text,
-                         dealii::ParameterHandler::JSON |
-                           dealii::ParameterHandler::KeepDeclarationOrder);
     std::vector<Declaration> result;
-    collect(Json::parse(text.str()), "", mandatory, result);
+    collect(printed(prm), "", mandatory, result);
+    return result;
+  }
+
+
+
+  std::map<std::string, std::string>
+  current_values(const dealii::ParameterHandler &prm)
+  {
+    std::map<std::string, std::string> result;
+    collect_values(printed(prm), "", result);
     return result;
   }
 

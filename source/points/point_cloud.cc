@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/points/point_cloud.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/state_archive.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -275,6 +276,16 @@ namespace seiche
     global_size = static_cast<std::uint64_t>(sums[1]);
     outflow += static_cast<std::uint64_t>(sums[2]);
     lost_mass += sums[4];
+  }
+
+
+
+  template <int dim>
+  void
+  PointCloud<dim>::save_or_load(StateArchive &archive)
+  {
+    archive("outflow points", outflow);
+    archive("outflow mass", lost_mass);
   }
 
 

@@ -3,12 +3,15 @@
 #include <seiche/postprocess/frame_series.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/state_archive.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
+#include <filesystem>
 
 namespace seiche
 {
@@ -102,10 +105,58 @@ namespace seiche
         checked_file::write(path + stem + ".pvtu", [&](std::ostream &out) {
           data.write_pvtu_record(out, pieces);
         });
-      checked_file::write(path + name + ".pvd", [&](std::ostream &out) {
-        DataOutBase::write_pvd_record(out, index);
-      });
+      write_index();
     });
+  }
+
+  void
+  FrameSeries::write_index() const
+  {
+    checked_file::write(settings.directory + "/" + name + ".pvd",
+                        [&](std::ostream &out) {
+                          DataOutBase::write_pvd_record(out, index);
+                        });
+  }
+
+  void
+  FrameSeries::save_or_load(StateArchive                   &archive,
+                            const std::vector<std::string> &extensions)
+  {
+    archive("frames", frames);
+    archive("next", next);
+    archive("index", index);
+    if (!archive.loading())
+      return;
+    on_all_ranks([&]() {
+      if (Utilities::MPI::this_mpi_process(communicator) > 0)
+        return;
+      if (!index.empty())
+        write_index(); // first: it must not name what is gone
+      remove_later_frames(extensions);
+    });
+  }
+
+  void
+  FrameSeries::remove_later_frames(
+    const std::vector<std::string> &extensions) const
+  {
+    const std::string prefix = name + "_";
+    for (const auto &entry :
+         std::filesystem::directory_iterator(settings.directory))
+      {
+        const std::string file      = entry.path().filename().string();
+        const std::string extension = entry.path().extension().string();
+        if (file.compare(0, prefix.size(), prefix) != 0 ||
+            std::find(extensions.begin(), extensions.end(), extension) ==
+              extensions.end())
+          continue;
+        unsigned int number = 0;
+        const auto   digits = std::from_chars(file.data() + prefix.size(),
+                                            file.data() + file.size(),
+                                            number);
+        if (digits.ec == std::errc() && number >= frames)
+          std::filesystem::remove(entry.path());
+      }
   }
 
   void

@@ -95,6 +95,15 @@ namespace seiche
       series.write_vtu(view.time, make_patches(view, pressure->field(view)));
   }
 
+  template <int dim>
+  void
+  GridOutput<dim>::save_or_load(StateArchive &archive)
+  {
+    archive.section("grid frames", [&]() {
+      series.save_or_load(archive, {".vtu", ".pvtu"});
+    });
+  }
+
   template class GridOutput<2>;
   template class GridOutput<3>;
 } // namespace seiche

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/hdf5_handle.h>
 #include <seiche/postprocess/hdf5_image.h>
 #include <seiche/utilities/exceptions.h>
-
-#include <hdf5.h>
 
 #include <type_traits>
 
@@ -12,40 +11,16 @@ namespace seiche
                   sizeof(hid_t) <= sizeof(std::int64_t),
                 "identifiers of HDF5 are kept in 64 bits");
 
-  namespace
-  {
-    /// Closes an identifier at the end of its scope.
-    class Handle
-    {
-    public:
-      Handle(const hid_t identifier, herr_t (*closing_function)(hid_t))
-        : id(identifier)
-        , close(closing_function)
-      {}
-
-      ~Handle()
-      {
-        close(id);
-      }
-
-      Handle(const Handle &) = delete;
-      Handle &
-      operator=(const Handle &) = delete;
-
-      const hid_t id;
-
-    private:
-      herr_t (*close)(hid_t);
-    };
-  } // namespace
-
-  Hdf5Image::Hdf5Image(const std::string &name_in_messages)
+  Hdf5Image::Hdf5Image(const std::string &name_in_messages,
+                       const std::string &way_out)
     : name(name_in_messages)
+    , advice(way_out)
     , file(-1)
   {
     // failures are reported by check(), not by a trace on the screen
     check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "switch off the trace");
-    const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "set up"), H5Pclose);
+    const Hdf5Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "set up"),
+                            H5Pclose);
     check(H5Pset_fapl_core(access.id,
                            /*increment=*/std::size_t(1) << 20,
                            /*backing_store=*/false),
@@ -64,23 +39,24 @@ namespace seiche
   {
     if (result < 0)
       throw FileError("HDF5 failed to " + action + " for \"" + name +
-                      "\"; is there enough memory? \"Output/Point series = "
-                      "false\" does without these files.");
+                      "\"; is there enough memory?" +
+                      (advice.empty() ? "" : " " + advice + "."));
     return result;
   }
 
   void
   Hdf5Image::write_attribute(const std::string &attribute, const double value)
   {
-    const Handle space(check(H5Screate(H5S_SCALAR), "make a scalar"), H5Sclose);
-    const Handle handle(check(H5Acreate2(file,
-                                         attribute.c_str(),
-                                         H5T_IEEE_F64LE,
-                                         space.id,
-                                         H5P_DEFAULT,
-                                         H5P_DEFAULT),
-                              "make attribute " + attribute),
-                        H5Aclose);
+    const Hdf5Handle space(check(H5Screate(H5S_SCALAR), "make a scalar"),
+                           H5Sclose);
+    const Hdf5Handle handle(check(H5Acreate2(file,
+                                             attribute.c_str(),
+                                             H5T_IEEE_F64LE,
+                                             space.id,
+                                             H5P_DEFAULT,
+                                             H5P_DEFAULT),
+                                  "make attribute " + attribute),
+                            H5Aclose);
     check(H5Awrite(handle.id, H5T_NATIVE_DOUBLE, &value),
           "write attribute " + attribute);
   }
@@ -97,17 +73,19 @@ namespace seiche
                         const std::string &attribute,
                         const std::string &text)
   {
-    const Handle type(check(H5Tcopy(H5T_C_S1), "make a text type"), H5Tclose);
+    const Hdf5Handle type(check(H5Tcopy(H5T_C_S1), "make a text type"),
+                          H5Tclose);
     check(H5Tset_size(type.id, text.size() + 1), "make a text type");
-    const Handle space(check(H5Screate(H5S_SCALAR), "make a scalar"), H5Sclose);
-    const Handle handle(check(H5Acreate2(object,
-                                         attribute.c_str(),
-                                         type.id,
-                                         space.id,
-                                         H5P_DEFAULT,
-                                         H5P_DEFAULT),
-                              "make attribute " + attribute),
-                        H5Aclose);
+    const Hdf5Handle space(check(H5Screate(H5S_SCALAR), "make a scalar"),
+                           H5Sclose);
+    const Hdf5Handle handle(check(H5Acreate2(object,
+                                             attribute.c_str(),
+                                             type.id,
+                                             space.id,
+                                             H5P_DEFAULT,
+                                             H5P_DEFAULT),
+                                  "make attribute " + attribute),
+                            H5Aclose);
     check(H5Awrite(handle.id, type.id, text.c_str()),
           "write attribute " + attribute);
   }
@@ -121,24 +99,24 @@ namespace seiche
                            const std::int64_t file_type,
                            const std::string &unit)
   {
-    const hsize_t size[2] = {rows, columns};
-    const Handle  space(
+    const hsize_t    size[2] = {rows, columns};
+    const Hdf5Handle space(
       check(H5Screate_simple(columns > 1 ? 2 : 1, size, nullptr),
             "size dataset " + dataset),
       H5Sclose);
     // the same data make the same bytes: no time stamps
-    const Handle creation(check(H5Pcreate(H5P_DATASET_CREATE), "set up"),
-                          H5Pclose);
+    const Hdf5Handle creation(check(H5Pcreate(H5P_DATASET_CREATE), "set up"),
+                              H5Pclose);
     check(H5Pset_obj_track_times(creation.id, false), "set up");
-    const Handle handle(check(H5Dcreate2(file,
-                                         dataset.c_str(),
-                                         file_type,
-                                         space.id,
-                                         H5P_DEFAULT,
-                                         creation.id,
-                                         H5P_DEFAULT),
-                              "make dataset " + dataset),
-                        H5Dclose);
+    const Hdf5Handle handle(check(H5Dcreate2(file,
+                                             dataset.c_str(),
+                                             file_type,
+                                             space.id,
+                                             H5P_DEFAULT,
+                                             creation.id,
+                                             H5P_DEFAULT),
+                                  "make dataset " + dataset),
+                            H5Dclose);
     check(
       H5Dwrite(handle.id, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
       "write dataset " + dataset);
@@ -171,6 +149,19 @@ namespace seiche
                   1,
                   H5T_NATIVE_UINT64,
                   H5T_STD_U64LE,
+                  "");
+  }
+
+  void
+  Hdf5Image::write_bytes(const std::string               &dataset,
+                         const std::vector<std::uint8_t> &values)
+  {
+    write_dataset(dataset,
+                  values.data(),
+                  values.size(),
+                  1,
+                  H5T_NATIVE_UINT8,
+                  H5T_STD_U8LE,
                   "");
   }
 

@@ -321,6 +321,41 @@ namespace seiche
   }
 
   template <int dim>
+  void
+  MassAndEnergy<dim>::Totals::save_or_load(StateArchive &archive)
+  {
+    archive("mass", mass);
+    archive("volume", volume);
+    archive("initial volume", initial_volume);
+    archive("kinetic", kinetic);
+    archive("potential", potential);
+    archive("momentum", momentum);
+    archive("angular momentum", angular_momentum);
+    archive("speed max", speed_max);
+    archive("volume ratio min", volume_ratio_min);
+    archive("volume ratio max", volume_ratio_max);
+    archive("outflow mass", outflow_mass);
+    archive("points", points);
+    archive("outflow points", outflow_points);
+  }
+
+  template <int dim>
+  void
+  MassAndEnergy<dim>::save_or_load(StateArchive &archive)
+  {
+    archive.section("ledger", [&]() {
+      archive.section("start", [&]() { start.save_or_load(archive); });
+      archive.section("now", [&]() { now.save_or_load(archive); });
+      archive("started", started);
+      archive("energy minimum", energy_minimum);
+      archive("energy rise", energy_rise);
+      archive("overfull maximum", overfull_maximum);
+      archive("overfull sum", overfull_sum);
+      archive("rows", n_rows);
+    });
+  }
+
+  template <int dim>
   double
   MassAndEnergy<dim>::relative_energy() const
   {

@@ -63,6 +63,15 @@ namespace seiche
       series.write_vtu(view.time, make_patches(view));
   }
 
+  template <int dim>
+  void
+  PointOutput<dim>::save_or_load(StateArchive &archive)
+  {
+    archive.section("point frames", [&]() {
+      series.save_or_load(archive, {".vtu", ".pvtu"});
+    });
+  }
+
   template class PointOutput<2>;
   template class PointOutput<3>;
 } // namespace seiche

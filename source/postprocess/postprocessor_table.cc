@@ -225,16 +225,12 @@ namespace seiche
     if (!all.gauges.empty())
       all.list.push_back(std::make_unique<WaterLevel<dim>>(all.gauges, grid));
     if (!all.probes.empty())
-      {
-        const bool writes = !directory.empty() &&
-                            Utilities::MPI::this_mpi_process(communicator) == 0;
-        all.list.push_back(
-          std::make_unique<Probes<dim>>(all.probes,
-                                        grid,
-                                        all.pressure,
-                                        writes ? directory + "/probes.csv" :
-                                                 std::string()));
-      }
+      all.list.push_back(std::make_unique<Probes<dim>>(
+        all.probes,
+        grid,
+        all.pressure,
+        directory.empty() ? std::string() : directory + "/probes.csv",
+        Utilities::MPI::this_mpi_process(communicator) == 0));
     if (!all.tracks.empty())
       all.list.push_back(std::make_unique<TrackedPoints<dim>>(all.tracks));
     if (!all.forces.empty())
@@ -281,6 +277,14 @@ namespace seiche
                                           "\": " + warning);
           }
       }
+  }
+
+  template <int dim>
+  void
+  PostprocessorList<dim>::save_or_load(StateArchive &archive)
+  {
+    for (const auto &postprocessor : implementation->list)
+      postprocessor->save_or_load(archive);
   }
 
   template <int dim>

@@ -159,10 +159,11 @@ namespace seiche
   Probes<dim>::Probes(const std::vector<ProbeParameters<dim>>   &parameters,
                       const BackgroundGrid<dim>                 &grid,
                       const std::shared_ptr<NodalPressure<dim>> &nodal_pressure,
-                      const std::string                         &filename)
+                      const std::string                         &filename,
+                      const bool                                 writes)
     : probes(parameters)
     , pressure(nodal_pressure)
-    , table(filename)
+    , table(filename, writes)
   {
     for (const auto &probe : probes)
       places.push_back(probe.places(grid));
@@ -214,6 +215,13 @@ namespace seiche
           table.set(column, *reading++);
         }
     table.end_row();
+  }
+
+  template <int dim>
+  void
+  Probes<dim>::save_or_load(StateArchive &archive)
+  {
+    archive.section("probes", [&]() { table.save_or_load(archive); });
   }
 
   template struct ProbeParameters<2>;

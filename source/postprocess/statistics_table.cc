@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace seiche
 {
@@ -24,8 +26,10 @@ namespace seiche
     }
   } // namespace
 
-  StatisticsTable::StatisticsTable(const std::string &file_to_write)
+  StatisticsTable::StatisticsTable(const std::string &file_to_write,
+                                   const bool         this_rank_writes)
     : filename(file_to_write)
+    , writes(this_rank_writes)
   {}
 
   void
@@ -59,21 +63,16 @@ namespace seiche
       AssertThrow(columns[c].size() == rows,
                   dealii::ExcMessage("Column \"" + column_names[c] +
                                      "\" is not set in this row."));
-    if (filename.empty())
+    if (filename.empty() || !writes)
       return;
 
-    fmt::memory_buffer line;
-    const auto         end = std::back_inserter(line);
     if (!file.is_open())
       {
         file.open(filename);
-        for (std::size_t c = 0; c < columns.size(); ++c)
-          fmt::format_to(end,
-                         "{}{}",
-                         c == 0 ? "" : ",",
-                         csv_field(column_names[c]));
-        fmt::format_to(end, "\n");
+        file.append(header_line());
       }
+    fmt::memory_buffer line;
+    const auto         end = std::back_inserter(line);
     for (std::size_t c = 0; c < columns.size(); ++c)
       {
         const double value = columns[c].back();
@@ -84,6 +83,64 @@ namespace seiche
       }
     fmt::format_to(end, "\n");
     file.append(fmt::to_string(line));
+  }
+
+  std::string
+  StatisticsTable::header_line() const
+  {
+    std::string line;
+    for (const std::string &name : column_names)
+      line += (line.empty() ? "" : ",") + csv_field(name);
+    return line + "\n";
+  }
+
+  void
+  StatisticsTable::save_or_load(StateArchive &archive)
+  {
+    file.synchronise(); // what a checkpoint counts on must be on the disk
+    std::uint64_t length = file.length();
+    archive("rows", rows);
+    archive("columns", column_names);
+    archive("length", length);
+    if (!archive.loading())
+      return;
+
+    index.clear();
+    for (std::size_t c = 0; c < column_names.size(); ++c)
+      index.emplace(column_names[c], c);
+    columns.assign(column_names.size(), {});
+    if (filename.empty())
+      {
+        for (auto &column : columns)
+          column.assign(rows, std::numeric_limits<double>::quiet_NaN());
+        return;
+      }
+    parse(checked_file::read(filename, length));
+    if (writes)
+      file.continue_at(filename, length);
+  }
+
+  void
+  StatisticsTable::parse(const std::string &text)
+  {
+    const std::string header = header_line();
+    bool              valid  = text.compare(0, header.size(), header) == 0;
+    const char       *next   = text.data() + header.size();
+    const char *const end    = text.data() + text.size();
+    for (std::size_t row = 0; row < rows && valid; ++row)
+      for (std::size_t c = 0; c < columns.size() && valid; ++c)
+        {
+          double     value     = std::numeric_limits<double>::quiet_NaN();
+          const auto field     = std::from_chars(next, end, value);
+          const char separator = (c + 1 < columns.size() ? ',' : '\n');
+          valid                = field.ptr < end && *field.ptr == separator;
+          next                 = field.ptr + 1;
+          columns[c].push_back(value);
+        }
+    if (!valid || next != end)
+      throw FileError(filename +
+                      ": does not hold the rows that the checkpoint goes on "
+                      "from; put the file of that run back, or start again.");
   }
 
   const std::vector<double> &

@@ -140,6 +140,17 @@ namespace seiche
       }
   }
 
+  template <int dim>
+  void
+  TrackedPoints<dim>::save_or_load(StateArchive &archive)
+  {
+    archive.section("tracked points", [&]() {
+      archive("ids", ids);
+      archive("start radius", start_radius);
+    });
+    last_index.resize(ids.size(), 0);
+  }
+
   template struct TrackedPointParameters<2>;
   template struct TrackedPointParameters<3>;
   template class TrackedPoints<2>;

@@ -7,6 +7,8 @@
 #include <seiche/simulation/scene.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/first_rank.h>
+#include <seiche/utilities/stop_signal.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -14,34 +16,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
 #include <iostream>
+#include <memory>
 
 namespace seiche
 {
   namespace
   {
-    /// Call a function that touches files on rank 0; if it fails there, all
-    /// ranks throw the same FileError. Collective.
-    void
-    on_first_rank(const MPI_Comm               communicator,
-                  const std::function<void()> &function)
-    {
-      std::string problem;
-      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        try
-          {
-            function();
-          }
-        catch (const FileError &error)
-          {
-            problem = error.what();
-          }
-      problem = dealii::Utilities::MPI::broadcast(communicator, problem);
-      if (!problem.empty())
-        throw FileError(problem);
-    }
-
     void
     write_parameters(const dealii::ParameterHandler &prm,
                      const std::string              &directory)
@@ -76,6 +57,100 @@ namespace seiche
                          grid.triangulation.n_global_active_cells(),
                          points.n_global(),
                          steps);
+    }
+
+    /// Make the folder of the results, if need be, and lock it. Collective.
+    void
+    take_folder(const std::string &directory,
+                DirectoryLock     &lock,
+                const MPI_Comm     communicator)
+    {
+      try
+        {
+          on_first_rank(communicator,
+                        [&]() { checked_file::make_directory(directory); });
+        }
+      catch (const FileError &error)
+        {
+          throw InputError(error.what()); // the user named a wrong place
+        }
+      on_first_rank(communicator, [&]() { lock.acquire(directory); });
+    }
+
+    /// Simulate, each time anew after a checkpoint of every n steps, until the
+    /// end or until the run is asked to stop. Collective.
+    template <int dim>
+    ExitCode
+    simulate(const CommandLine              &command_line,
+             const dealii::ParameterHandler &prm,
+             Scene<dim>                     &scene,
+             const MPI_Comm                  communicator)
+    {
+      const std::string &directory = command_line.output;
+      const bool         restarts  = command_line.restart;
+      TimerTree          timer;
+      DirectoryLock      lock;
+      RunReport        report({directory, scene.time.end_time, scene.test_log},
+                       communicator);
+      CheckpointFolder folder(directory,
+                              fixed_parameters(current_values(prm)),
+                              communicator);
+
+      std::unique_ptr<Checkpoint> start;
+      if (restarts)
+        {
+          folder.require_any();
+          take_folder(directory, lock, communicator);
+          start = folder.newest_usable(report);
+        }
+      std::unique_ptr<Simulation<dim>> simulation;
+      const auto                       set_up = [&]() {
+        const TimerTree::Scope scope(timer, "set-up");
+        simulation = std::make_unique<Simulation<dim>>(
+          scene, directory, report, timer, start.get());
+      };
+      set_up();
+
+      // all input is checked once the simulation is set up; only then may
+      // files of an earlier run be replaced
+      if (!restarts)
+        take_folder(directory, lock, communicator);
+      report.header(simulation->description());
+      if (restarts)
+        report.header("going on from " + start->filename);
+      on_first_rank(communicator, [&]() {
+        if (!restarts)
+          folder.clear();
+        write_parameters(prm, directory);
+        report.open_files(restarts);
+      });
+      try
+        {
+          stop_signal::install();
+          CheckpointSchedule schedule(scene.checkpoint,
+                                      directory,
+                                      communicator);
+          RunOutcome         outcome;
+          while ((outcome = simulation->run(schedule, folder)) ==
+                 RunOutcome::restart)
+            {
+              simulation.reset();
+              start = folder.last();
+              set_up();
+            }
+          if (outcome == RunOutcome::finished)
+            return ExitCode::finished;
+          report.stop(fmt::format("stopped; to go on: seiche {} --output {} "
+                                  "--restart (and the same --set)",
+                                  command_line.filename,
+                                  directory));
+        }
+      catch (const std::exception &error)
+        {
+          report.fail(error.what());
+          throw;
+        }
+      return ExitCode::stopped;
     }
 
     template <int dim>
@@ -113,37 +188,7 @@ namespace seiche
         return ExitCode::finished;
       }
 
-    // all input is checked once the simulation is set up; only then may files
-    // of an earlier run be replaced
-    const std::string &directory = command_line.output;
-    RunReport          report({directory, scene.time.end_time, scene.test_log},
-                     communicator);
-    Simulation<dim>    simulation(scene, directory, report);
-    try
-      {
-        on_first_rank(communicator,
-                      [&]() { checked_file::make_directory(directory); });
-      }
-    catch (const FileError &error)
-      {
-        throw InputError(error.what()); // the user named a wrong place
-      }
-    DirectoryLock lock;
-    on_first_rank(communicator, [&]() {
-      lock.acquire(directory);
-      write_parameters(prm, directory);
-      report.open_files();
-    });
-    try
-      {
-        simulation.run();
-      }
-    catch (const std::exception &error)
-      {
-        report.fail(error.what());
-        throw;
-      }
-    return ExitCode::finished;
+    return simulate(command_line, prm, scene, communicator);
   }
 
 

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
 #include <iostream>
 
 namespace seiche
@@ -107,11 +108,15 @@ namespace seiche
 
 
   void
-  RunReport::open_files()
+  RunReport::open_files(const bool goes_on)
   {
     if (!options.directory.empty())
       {
-        log.open(options.directory + "/run.log");
+        const std::string name = options.directory + "/run.log";
+        if (goes_on && std::filesystem::exists(name))
+          log.continue_at(name, std::filesystem::file_size(name));
+        else
+          log.open(name);
         log.append(early_log);
       }
     if (options.test_mode)
@@ -242,6 +247,32 @@ namespace seiche
       {
         // the failure that is being reported matters more
       }
+  }
+
+
+
+  void
+  RunReport::save_or_load(StateArchive &archive)
+  {
+    archive("warnings", warnings);
+    archive("share", last_share);
+    archive("time", rate_time);
+    if (archive.loading())
+      rate_wall = wall_clock();
+  }
+
+
+
+  void
+  RunReport::stop(const std::string &text)
+  {
+    if (!speaks)
+      return;
+    print(text);
+    if (test_output.is_open())
+      test_output.close();
+    if (log.is_open())
+      log.close();
   }
 
 

@@ -46,6 +46,7 @@ namespace seiche
     transfer.add_parameters(prm);
     newton.add_parameters(prm);
     linear_solver.add_parameters(prm);
+    checkpoint.add_parameters(prm);
     postprocessors.add_parameters(prm);
     prm.enter_subsection("Output");
     prm.add_parameter("Test log",

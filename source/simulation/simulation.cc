@@ -13,21 +13,21 @@ namespace seiche
   template <int dim>
   Simulation<dim>::Simulation(Scene<dim>        &run_scene,
                               const std::string &output_directory,
-                              RunReport         &run_report)
+                              RunReport         &run_report,
+                              TimerTree         &run_timer,
+                              const Checkpoint  *checkpoint)
     : scene(run_scene)
     , directory(output_directory)
     , communicator(MPI_COMM_WORLD)
     , report(run_report)
+    , timer(run_timer)
+    , start(checkpoint)
     , grid(scene.grid, communicator)
     , locator(grid)
     , time_scheme(make_time_scheme<dim>(scene.time_scheme))
     , formulation(make_formulation<dim>(scene.formulation, scene.material()))
     , points(locator, point_columns(), communicator)
-    , seeding(seed_bodies(scene.seeding,
-                          scene.bodies,
-                          scene.input,
-                          scene.fluid.density,
-                          points))
+    , seeding(fill_points(start))
     , mesh_adaptation(grid, locator, points)
     , occupancy(locator, /*degree=*/1)
     , fill(occupancy, scene.quadrature.gauss_in_full_cells())
@@ -52,37 +52,66 @@ namespace seiche
              matrix,
              linear_solver)
     , time_stepper(scene.time)
-    , statistics(Utilities::MPI::this_mpi_process(communicator) == 0 ?
-                   directory + "/statistics.csv" :
-                   std::string())
+    , statistics(directory + "/statistics.csv",
+                 Utilities::MPI::this_mpi_process(communicator) == 0)
   {
     scene.postprocessors.check(grid);
   }
 
   template <int dim>
-  void
-  Simulation<dim>::run()
+  std::string
+  Simulation<dim>::description() const
   {
-    find_material();
-    report.header(
-      fmt::format("{}D, {} cells, {} points, {} rank{}\n",
-                  dim,
-                  grid.triangulation.n_global_active_cells(),
-                  points.n_global(),
-                  Utilities::MPI::n_mpi_processes(communicator),
-                  Utilities::MPI::n_mpi_processes(communicator) == 1 ? "" :
-                                                                       "s"));
-    scene.postprocessors.make(directory, grid, communicator);
-    prepare_start();
-    state.velocity_np1 = state.velocity_n; // what the first frame shows
-    state.velocity_np1.update_ghost_values();
-    postprocess();
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    return fmt::format("{}D, {} cells, {} points, {} rank{}\n",
+                       dim,
+                       grid.triangulation.n_global_active_cells(),
+                       points.n_global(),
+                       n_ranks,
+                       n_ranks == 1 ? "" : "s");
+  }
+
+  template <int dim>
+  RunOutcome
+  Simulation<dim>::run(CheckpointSchedule &schedule, CheckpointFolder &folder)
+  {
+    begin();
     while (!time_stepper.finished())
       {
         step();
         postprocess();
+        const CheckpointRequest request =
+          schedule.after_step(time_stepper.steps());
+        if (request == CheckpointRequest::none)
+          continue;
+        write_checkpoint(folder);
+        schedule.done();
+        if (time_stepper.finished())
+          break;
+        if (request == CheckpointRequest::write_and_restart)
+          return RunOutcome::restart;
+        if (request == CheckpointRequest::write_and_stop)
+          return RunOutcome::stopped;
       }
     finish();
+    return RunOutcome::finished;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::begin()
+  {
+    scene.postprocessors.make(directory, grid, communicator);
+    if (start != nullptr)
+      {
+        save_or_load(start->state());
+        return;
+      }
+    find_material();
+    prepare_start();
+    state.velocity_np1 = state.velocity_n; // what the first frame shows
+    state.velocity_np1.update_ghost_values();
+    postprocess();
   }
 
   template <int dim>

@@ -2,6 +2,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/solve/time_stepper.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/state_archive.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -144,5 +145,15 @@ namespace seiche
         good_steps = 0;
         reduction  = std::min(1., growth * reduction);
       }
+  }
+
+  void
+  TimeStepper::save_or_load(StateArchive &archive)
+  {
+    archive("time", now);
+    archive("reduction", reduction);
+    archive("good steps", good_steps);
+    archive("steps", n_steps);
+    archive("rejected steps", n_rejected);
   }
 } // namespace seiche

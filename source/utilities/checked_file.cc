@@ -290,6 +290,35 @@ namespace seiche
 
 
 
+  std::string
+  checked_file::read(const std::string &filename, const std::size_t length)
+  {
+    const int descriptor = open_file(filename, O_RDONLY);
+    if (descriptor < 0)
+      fail(filename, "open", errno, 0);
+    std::string text;
+    ssize_t     n = 1;
+    while (text.size() < length && n > 0)
+      {
+        const std::size_t begin = text.size();
+        text.resize(
+          begin + std::min<std::size_t>(length - begin, std::size_t(1) << 20));
+        do
+          n = ::read(descriptor, &text[begin], text.size() - begin);
+        while (n < 0 && errno == EINTR);
+        text.resize(begin + std::max<ssize_t>(n, 0));
+      }
+    const int error = errno;
+    ::close(descriptor);
+    if (n < 0)
+      fail(filename, "read", error, text.size());
+    if (length != static_cast<std::size_t>(-1) && text.size() < length)
+      fail(filename, "read", 0, text.size());
+    return text;
+  }
+
+
+
   GrowingFile::~GrowingFile()
   {
     if (descriptor >= 0)
@@ -308,6 +337,34 @@ namespace seiche
     descriptor = open_file(filename, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND);
     if (descriptor < 0)
       fail(filename, "open", errno, 0);
+  }
+
+
+
+  void
+  GrowingFile::continue_at(const std::string &name, const std::size_t length)
+  {
+    if (is_open())
+      close();
+    filename   = name;
+    bytes      = length;
+    descriptor = open_file(filename, O_WRONLY | O_APPEND);
+    if (descriptor < 0)
+      fail(filename, "open", errno, 0);
+    const long long size = size_of(descriptor);
+    if (size < static_cast<long long>(length))
+      fail(filename, "go on with", 0, std::max(0LL, size));
+    if (::ftruncate(descriptor, length) != 0)
+      fail(filename, "shorten", errno, length);
+  }
+
+
+
+  void
+  GrowingFile::synchronise()
+  {
+    if (is_open() && !seiche::synchronise(descriptor))
+      fail(filename, "synchronise", errno, bytes);
   }
 
 
@@ -336,7 +393,7 @@ namespace seiche
   {
     if (!is_open())
       return;
-    const bool synchronised = synchronise(descriptor);
+    const bool synchronised = seiche::synchronise(descriptor);
     const int  error        = errno;
     const bool complete = size_of(descriptor) == static_cast<long long>(bytes);
     const bool closed   = ::close(descriptor) == 0;

@@ -28,6 +28,10 @@ SCALES = {  # columns that may be zero: what they are measured against
 def run(seiche, launcher, scene, options, directory):
     command = launcher + [seiche, scene, "--output", directory] + options
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    return read_columns(directory)
+
+
+def read_columns(directory):
     with open(os.path.join(directory, "statistics.csv"), newline="") as file:
         rows = list(csv.reader(file))
     return {

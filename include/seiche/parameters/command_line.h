@@ -16,6 +16,7 @@ namespace seiche
     std::vector<std::string> overrides; ///< texts of --set
     std::string output; ///< --output; default: the file's name without ending
     bool        validate         = false;
+    bool        restart          = false; ///< from the newest checkpoint
     bool        print_parameters = false;
     /// Text of --help or --version: print it and end.
     std::string text;

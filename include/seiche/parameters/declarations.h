@@ -2,6 +2,7 @@
 #ifndef seiche_parameters_declarations_h
 #define seiche_parameters_declarations_h
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ namespace seiche
   /// have been set yet (that is how mandatory ones are known).
   std::vector<Declaration>
   declarations(const dealii::ParameterHandler &prm);
+
+  /// The value that every entry of @p prm has now, by its path.
+  std::map<std::string, std::string>
+  current_values(const dealii::ParameterHandler &prm);
 
   /// Part of a path after its last "/": the name of the entry.
   std::string

@@ -17,6 +17,8 @@
 
 namespace seiche
 {
+  class StateArchive;
+
   /**
    * @brief The material points of this rank: structure of arrays, sorted by
    * (cell, id).
@@ -130,6 +132,11 @@ namespace seiche
     {
       return lost_mass;
     }
+
+    /// What left the domain so far, for a checkpoint (the points themselves
+    /// travel by insert()). Local.
+    void
+    save_or_load(StateArchive &archive);
 
     const CellLocator<dim> &locator;
     const MPI_Comm          communicator;

@@ -14,6 +14,7 @@ namespace seiche
 {
   template <int patch_dim, int dim>
   class FieldPatches;
+  class StateArchive;
 
   /// Where and when output frames are made.
   struct FrameSettings
@@ -55,7 +56,22 @@ namespace seiche
     write_from_first_rank(const std::string                         &extension,
                           const std::function<void(std::ostream &)> &fill);
 
+    /// Which frames there are, for a checkpoint. Loading removes the files of
+    /// later frames, those with one of the @p extensions, and drops them from
+    /// the index. Collective.
+    void
+    save_or_load(StateArchive                   &archive,
+                 const std::vector<std::string> &extensions);
+
   private:
+    /// Remove the files of frames that are not made yet. Rank 0.
+    void
+    remove_later_frames(const std::vector<std::string> &extensions) const;
+
+    /// Rewrite NAME.pvd. Rank 0.
+    void
+    write_index() const;
+
     /// Run @p action here; if it fails on any rank, FileError on all.
     void
     on_all_ranks(const std::function<void()> &action) const;

@@ -28,6 +28,9 @@ namespace seiche
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 
+    void
+    save_or_load(StateArchive &archive) override;
+
   private:
     FrameSeries                               series;
     const std::shared_ptr<NodalPressure<dim>> pressure;

@@ -20,7 +20,10 @@ namespace seiche
   class Hdf5Image
   {
   public:
-    explicit Hdf5Image(const std::string &name_in_messages);
+    /// @p advice: what a user without enough memory can do (a sentence
+    /// without its full stop), for messages.
+    explicit Hdf5Image(const std::string &name_in_messages,
+                       const std::string &advice = "");
     ~Hdf5Image();
     Hdf5Image(const Hdf5Image &) = delete;
     Hdf5Image &
@@ -42,6 +45,10 @@ namespace seiche
     void
     write_array(const std::string                &dataset,
                 const std::vector<std::uint64_t> &values);
+
+    void
+    write_bytes(const std::string               &dataset,
+                const std::vector<std::uint8_t> &values);
 
     /// The file as bytes.
     std::vector<char>
@@ -66,7 +73,7 @@ namespace seiche
     std::int64_t
     check(const std::int64_t result, const std::string &action) const;
 
-    const std::string name;
+    const std::string name, advice;
     std::int64_t      file; // hid_t
   };
 } // namespace seiche

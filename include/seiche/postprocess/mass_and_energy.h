@@ -31,6 +31,9 @@ namespace seiche
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 
+    void
+    save_or_load(StateArchive &archive) override;
+
     /// Fills summary["ledger"]; what is not defined is null.
     void
     finish(const StatisticsTable  &statistics,
@@ -66,6 +69,9 @@ namespace seiche
       {
         return kinetic + potential;
       }
+
+      void
+      save_or_load(StateArchive &archive);
     };
 
     Totals

@@ -25,6 +25,9 @@ namespace seiche
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 
+    void
+    save_or_load(StateArchive &archive) override;
+
   private:
     FrameSeries series;
   };

@@ -67,6 +67,14 @@ namespace seiche
       (void)statistics;
       (void)summary;
     }
+
+    /// What it carries from step to step, in a section of its own, for a
+    /// checkpoint. Loading also cuts its files back to that step. Collective.
+    virtual void
+    save_or_load(StateArchive &archive)
+    {
+      (void)archive;
+    }
   };
 } // namespace seiche
 

@@ -54,6 +54,10 @@ namespace seiche
     void
     finish(const StatisticsTable &statistics, nlohmann::ordered_json &summary);
 
+    /// What all of them carry from step to step. Collective.
+    void
+    save_or_load(StateArchive &archive);
+
     /// Energy [J] over its start, for the progress line.
     double
     relative_energy() const;

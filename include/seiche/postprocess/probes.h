@@ -54,14 +54,18 @@ namespace seiche
   class Probes : public Postprocessor<dim>
   {
   public:
-    /// @p filename empty: no file of its own (all ranks but the first).
+    /// @p filename empty: no file of its own. One rank writes it.
     Probes(const std::vector<ProbeParameters<dim>>   &parameters,
            const BackgroundGrid<dim>                 &grid,
            const std::shared_ptr<NodalPressure<dim>> &nodal_pressure,
-           const std::string                         &filename);
+           const std::string                         &filename,
+           const bool                                 writes = true);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
+
+    void
+    save_or_load(StateArchive &archive) override;
 
   private:
     const std::vector<ProbeParameters<dim>>      probes;

@@ -3,6 +3,7 @@
 #define seiche_postprocess_statistics_table_h
 
 #include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/state_archive.h>
 
 #include <nlohmann/json.hpp>
 
@@ -22,8 +23,10 @@ namespace seiche
   class StatisticsTable
   {
   public:
-    /// File to write; empty: keep values only (other ranks, tests).
-    explicit StatisticsTable(const std::string &filename);
+    /// File to write; empty: keep values only (tests). Ranks that do not
+    /// write only read the file, in save_or_load().
+    explicit StatisticsTable(const std::string &filename,
+                             const bool         writes = true);
 
     /// Value of this row; @p name with its unit in brackets: "front [m]". A
     /// value that is not finite is missing: an empty field, left out by scores.
@@ -41,6 +44,13 @@ namespace seiche
     bool
     has(const std::string &name) const;
 
+    /// The rows so far. Only their number and the length of the file are
+    /// saved: loading reads them from the file, exactly as they were, and
+    /// rows that were appended later are cut off. FileError if the file does
+    /// not hold them. Local.
+    void
+    save_or_load(StateArchive &archive);
+
     const std::vector<std::string> &
     names() const
     {
@@ -48,7 +58,14 @@ namespace seiche
     }
 
   private:
+    std::string
+    header_line() const;
+    /// Fill the columns from the text of the file.
+    void
+    parse(const std::string &text);
+
     std::string                        filename;
+    bool                               writes;
     GrowingFile                        file;
     std::vector<std::string>           column_names;
     std::vector<std::vector<double>>   columns;

@@ -51,6 +51,9 @@ namespace seiche
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 
+    void
+    save_or_load(StateArchive &archive) override;
+
   private:
     /// Ids of the points nearest to the given places. Collective.
     void

@@ -3,6 +3,7 @@
 #define seiche_simulation_run_report_h
 
 #include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/state_archive.h>
 #include <seiche/utilities/timer_tree.h>
 
 #include <mpi.h>
@@ -41,9 +42,9 @@ namespace seiche
 
     /// Open run.log (and "output" in test mode) and write what was said so
     /// far: until the input is checked, files of an earlier run stay. FileError
-    /// if that fails. Rank 0.
+    /// if that fails. A run that goes on appends to its run.log. Rank 0.
     void
-    open_files();
+    open_files(const bool goes_on = false);
 
     /// Print a text as it is: what is run, how large it is.
     void
@@ -74,6 +75,14 @@ namespace seiche
     /// Never throws.
     void
     fail(const std::string &text) noexcept;
+
+    /// Warnings and progress so far, for a checkpoint. Local.
+    void
+    save_or_load(StateArchive &archive);
+
+    /// The last words of a run that was asked to stop.
+    void
+    stop(const std::string &text);
 
     /**
      * Add seconds and memory to the summary, write summary.json and

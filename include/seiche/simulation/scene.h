@@ -13,6 +13,7 @@
 #include <seiche/scene/background_grid.h>
 #include <seiche/scene/body_force.h>
 #include <seiche/scene/region.h>
+#include <seiche/simulation/checkpoint_schedule.h>
 #include <seiche/solve/linear_solver.h>
 #include <seiche/solve/newton.h>
 #include <seiche/solve/time_stepper.h>
@@ -60,6 +61,7 @@ namespace seiche
     TransferParameters                    transfer;
     NewtonParameters                      newton;
     LinearSolverParameters                linear_solver;
+    CheckpointParameters                  checkpoint;
     PostprocessorList<dim>                postprocessors;
     bool                                  test_log = false;
   };

@@ -3,6 +3,8 @@
 #define seiche_simulation_simulation_h
 
 #include <seiche/grid/mesh_adaptation.h>
+#include <seiche/simulation/checkpoint.h>
+#include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene.h>
 #include <seiche/solve/velocity_projection.h>
@@ -12,6 +14,14 @@
 
 namespace seiche
 {
+  /// Why Simulation::run() has returned.
+  enum class RunOutcome
+  {
+    finished, ///< the end time is reached
+    restart,  ///< go on with a new Simulation from the last checkpoint
+    stopped   ///< asked to; the last checkpoint is that of the last step
+  };
+
   /**
    * @brief One run: owns the objects of the method and calls them in order.
    *
@@ -21,22 +31,38 @@ namespace seiche
    * grid to points. The grid carries nothing from step to step. Points are
    * written only after Newton has converged and the step is accepted, so a
    * rejected step costs nothing but its time.
+   *
+   * After a checkpoint of every n steps the object is thrown away and made
+   * anew from the file, in the run that wrote it just as in a restarted one:
+   * both go on with the same numbers because they are the same program path.
    */
   template <int dim>
   class Simulation
   {
   public:
-    /// Build the grid and fill it. Throws InputError; writes no file.
-    /// References must outlive the run. Collective.
+    /// Build the grid and fill it, with the bodies of the scene or the points
+    /// of a checkpoint. Throws InputError; writes no file. References must
+    /// outlive the run. Collective.
     Simulation(Scene<dim>        &scene,
                const std::string &directory,
-               RunReport         &report);
+               RunReport         &report,
+               TimerTree         &timer,
+               const Checkpoint  *start);
 
-    /// From the start to the end time, then the summary. Collective.
-    void
-    run();
+    /// Sizes of the run, for the user. Collective.
+    std::string
+    description() const;
+
+    /// From the start to the end time, then the summary; or to a checkpoint
+    /// after which this object is not to go on. Collective.
+    RunOutcome
+    run(CheckpointSchedule &schedule, CheckpointFolder &folder);
 
   private:
+    /// Everything that run() needs before the first step. Collective.
+    void
+    begin();
+
     void
     step();
 
@@ -64,18 +90,29 @@ namespace seiche
     std::set<PointColumn>
     point_columns() const;
 
+    /// The points of the start, or of the scene's bodies. Collective.
+    SeedingResult
+    fill_points(const Checkpoint *start);
+
+    /// All that is carried from step to step but the points. Collective.
+    void
+    save_or_load(StateArchive &archive);
+    void
+    write_checkpoint(CheckpointFolder &folder);
+
     Scene<dim>       &scene;
     const std::string directory;
     const MPI_Comm    communicator;
     RunReport        &report;
-    TimerTree         timer;
+    TimerTree        &timer;
+    const Checkpoint *start; ///< null: from the scene
 
     BackgroundGrid<dim>                     grid;
     CellLocator<dim>                        locator;
     const std::unique_ptr<TimeScheme<dim>>  time_scheme;
     const std::unique_ptr<Formulation<dim>> formulation;
     PointCloud<dim>                         points;
-    const SeedingResult                     seeding;
+    SeedingResult                           seeding;
     MeshAdaptation<dim>                     mesh_adaptation;
     Occupancy<dim>                          occupancy;
     Fill<dim>                               fill;

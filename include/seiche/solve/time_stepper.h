@@ -12,6 +12,7 @@ namespace dealii
 namespace seiche
 {
   class InputFile;
+  class StateArchive;
 
   /// prm entries of the step size (subsection "Time").
   struct TimeStepParameters
@@ -58,6 +59,10 @@ namespace seiche
     /// The step of next_step() or repeat() is done.
     void
     accept();
+
+    /// Where the run is, for a checkpoint. Local.
+    void
+    save_or_load(StateArchive &archive);
 
     double
     time() const

@@ -36,6 +36,12 @@ namespace seiche
     write_by_name(const std::string                              &filename,
                   const std::function<void(const std::string &)> &fill,
                   const std::function<bool(const std::string &)> &check);
+
+    /// The first @p length bytes of a file (default: all of it); FileError if
+    /// it is shorter. Local.
+    std::string
+    read(const std::string &filename,
+         const std::size_t  length = static_cast<std::size_t>(-1));
   } // namespace checked_file
 
   /**
@@ -55,8 +61,21 @@ namespace seiche
 
     void
     open(const std::string &filename);
+    /// Go on with a file of which the first @p length bytes count: what comes
+    /// after them is cut off. FileError if it is shorter.
+    void
+    continue_at(const std::string &filename, const std::size_t length);
     bool
     is_open() const;
+    /// Number of bytes; 0 if no file is open.
+    std::size_t
+    length() const
+    {
+      return bytes;
+    }
+    /// What was appended so far survives a power cut. Local.
+    void
+    synchronise();
     /// Append the text (with its line end). Local.
     void
     append(const std::string &text);

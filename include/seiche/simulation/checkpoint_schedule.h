@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_simulation_checkpoint_schedule_h
+#define seiche_simulation_checkpoint_schedule_h
+
+#include <mpi.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  /// prm entries of "Checkpoint".
+  struct CheckpointParameters
+  {
+    unsigned int every_steps     = 0;     ///< 0: none
+    double       every_wall_time = 1800.; ///< [s], 0: none
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+  };
+
+  /// What a run does after a step.
+  enum class CheckpointRequest : unsigned int
+  {
+    none,
+    write,             ///< and go on
+    write_and_restart, ///< and go on from what was written
+    write_and_stop     ///< and end
+  };
+
+  /**
+   * @brief When checkpoints are written: every n steps, every t seconds, and
+   * on demand by a signal or by a file in the output folder.
+   */
+  class CheckpointSchedule
+  {
+  public:
+    CheckpointSchedule(const CheckpointParameters &parameters,
+                       const std::string          &directory,
+                       const MPI_Comm              communicator);
+
+    /// After step number @p step; the same answer on all ranks. Collective.
+    CheckpointRequest
+    after_step(const unsigned int step) const;
+
+    /// What was asked for is done: the next waiting time begins, and the files
+    /// that asked for it are removed. Local.
+    void
+    done();
+
+  private:
+    const CheckpointParameters parameters;
+    const std::string          write_file, stop_file;
+    const MPI_Comm             communicator;
+    const bool                 is_first_rank;
+    double                     last_time; ///< [s] wall clock
+  };
+} // namespace seiche
+
+#endif

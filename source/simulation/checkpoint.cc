@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/gathered_points.h>
+#include <seiche/simulation/checkpoint.h>
+#include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/first_rank.h>
+#include <seiche/utilities/version.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace seiche
+{
+  namespace
+  {
+    /// Of the content; raise it when old files cannot be read any more.
+    constexpr unsigned int format_version = 1;
+
+    constexpr std::size_t points_per_chunk = std::size_t(1) << 16;
+
+    /// FNV-1a, 64 bits: every single altered byte alters it.
+    std::uint64_t
+    hash(const char *data, const std::size_t size)
+    {
+      std::uint64_t value = 14695981039346656037ull;
+      for (std::size_t i = 0; i < size; ++i)
+        value =
+          (value ^ static_cast<unsigned char>(data[i])) * 1099511628211ull;
+      return value;
+    }
+
+    /// The last line of a file that has @p size bytes before it.
+    std::string
+    last_line(const char *data, const std::size_t size)
+    {
+      return fmt::format("\nseiche checkpoint {:020} {:016x}\n",
+                         size,
+                         hash(data, size));
+    }
+
+    /// @p filename if its content is what was written.
+    const std::string &
+    verified(const std::string &filename)
+    {
+      const std::string text   = checked_file::read(filename);
+      const std::size_t length = last_line("", 0).size();
+      const std::string mark   = "\nseiche checkpoint ";
+      const std::size_t size   = text.size() - std::min(length, text.size());
+      if (text.compare(size, mark.size(), mark) != 0)
+        throw FileError(filename + ": it is cut short, or no checkpoint of "
+                                   "this program.");
+      if (text.compare(size, length, last_line(text.data(), size)) != 0)
+        throw FileError(filename + ": it is damaged (its hash does not fit "
+                                   "its content).");
+      return filename;
+    }
+
+    /// The columns of one chunk of points.
+    template <int dim>
+    struct Chunk
+    {
+      std::size_t                size; ///< points
+      const std::vector<double> *position;
+
+      dealii::Point<dim>
+      point(const std::size_t i) const
+      {
+        dealii::Point<dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = (*position)[dim * i + d];
+        return x;
+      }
+    };
+
+    /// Call @p use(begin, chunk) for the positions in chunks.
+    template <int dim, typename Function>
+    void
+    for_each_chunk(const Hdf5Reader &reader, const Function &use)
+    {
+      const std::size_t n = reader.n_rows("id");
+      for (std::size_t begin = 0; begin < n; begin += points_per_chunk)
+        {
+          const std::size_t end = std::min(n, begin + points_per_chunk);
+          const auto position   = reader.doubles("position", dim, begin, end);
+          use(begin, Chunk<dim>{end - begin, &position});
+        }
+    }
+  } // namespace
+
+
+
+  Checkpoint::Checkpoint(const std::string &name)
+    : filename(name)
+    , reader(verified(filename))
+    , saved(reader.bytes("state"))
+  {
+    unsigned int version = 0;
+    saved("format version", version);
+    if (version != format_version)
+      throw FileError(fmt::format("{}: its format has version {}; this program "
+                                  "reads version {}.",
+                                  filename,
+                                  version,
+                                  format_version));
+    saved("parameters", parameters);
+  }
+
+
+
+  template <int dim>
+  void
+  Checkpoint::write(const std::string     &filename,
+                    const PointCloud<dim> &points,
+                    StateArchive          &state,
+                    const ParameterValues &parameters)
+  {
+    std::string     program = program_version;
+    unsigned int    version = format_version;
+    ParameterValues fixed   = parameters;
+    state("format version", version);
+    state("program version", program);
+    state("parameters", fixed);
+
+    const GatheredPoints<dim> gathered(points);
+    on_first_rank(points.communicator, [&]() {
+      Hdf5Image image(filename, "\"Checkpoint/Every steps = 0\" does without");
+      image.write_attribute("program_version", program);
+      image.write_attribute("format_version", version);
+      image.write_attribute("dim", dim);
+      image.write_bytes("state", state.bytes());
+      gathered.write(image);
+      const std::vector<char> bytes = image.bytes();
+      checked_file::write(filename, [&](std::ostream &out) {
+        out.write(bytes.data(), bytes.size());
+        out << last_line(bytes.data(), bytes.size());
+      });
+    });
+  }
+
+
+
+  void
+  Checkpoint::require_same_scene(const ParameterValues &now) const
+  {
+    unsigned int n_other = 0;
+    std::string  first;
+    const auto   value = [](const ParameterValues &values,
+                          const std::string     &path) {
+      const auto entry = values.find(path);
+      return entry == values.end() ? std::optional<std::string>() :
+                                       std::optional<std::string>(entry->second);
+    };
+    ParameterValues all = parameters;
+    all.insert(now.begin(), now.end());
+    for (const auto &entry : all)
+      {
+        const auto there = value(parameters, entry.first);
+        const auto here  = value(now, entry.first);
+        if (there == here || n_other++ > 0)
+          continue;
+        first = fmt::format("\"{}\" {} there and {} here",
+                            entry.first,
+                            there ? "is \"" + *there + "\"" : "is missing",
+                            here ? "\"" + *here + "\"" : "missing");
+      }
+    if (n_other > 0)
+      throw FileError(fmt::format("{}: it belongs to another scene: {}{}.",
+                                  filename,
+                                  first,
+                                  n_other > 1 ?
+                                    fmt::format(" (and {} more entries differ)",
+                                                n_other - 1) :
+                                    ""));
+  }
+
+
+
+  template <int dim>
+  void
+  Checkpoint::for_each_position(
+    const std::function<void(const dealii::Point<dim> &)> &use) const
+  {
+    for_each_chunk<dim>(reader, [&](const std::size_t, const auto &chunk) {
+      for (std::size_t i = 0; i < chunk.size; ++i)
+        use(chunk.point(i));
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  Checkpoint::insert_own_points(PointCloud<dim> &points) const
+  {
+    for_each_chunk<dim>(
+      reader, [&](const std::size_t begin, const auto &chunk) {
+        std::vector<std::size_t> own;
+        for (std::size_t i = 0; i < chunk.size; ++i)
+          if (points.locator.find(chunk.point(i)) < points.locator.n_owned())
+            own.push_back(i);
+
+        const std::size_t first = points.size();
+        const auto ids = reader.integers("id", begin, begin + chunk.size);
+        for (const std::size_t i : own)
+          points.insert(ids[i], chunk.point(i), {}, 0., 0.);
+        for (const PointColumnInfo &info : point_column_table)
+          if (points.has(info.column))
+            {
+              const unsigned int n = n_components(info.column, dim);
+              const auto         values =
+                reader.doubles(info.name, n, begin, begin + chunk.size);
+              for (unsigned int c = 0; c < n; ++c)
+                for (std::size_t k = 0; k < own.size(); ++k)
+                  points.data(info.column, c)[first + k] =
+                    values[n * own[k] + c];
+            }
+      });
+  }
+
+
+
+  ParameterValues
+  fixed_parameters(const ParameterValues &all)
+  {
+    static const std::vector<std::string> free_sections = {"Output/",
+                                                           "Checkpoint/",
+                                                           "Solver/",
+                                                           "Score "};
+    static const std::vector<std::string> free_entries  = {
+       "Time/End time",
+       "Time/Step",
+       "Time/Step control",
+       "Time/CFL number",
+       "Time/Minimum step",
+       "Time/Maximum displacement"};
+    ParameterValues fixed;
+    for (const auto &entry : all)
+      {
+        const std::string &path = entry.first;
+        const bool         in_free_section =
+          std::any_of(free_sections.begin(),
+                      free_sections.end(),
+                      [&](const std::string &section) {
+                        return path.compare(0, section.size(), section) == 0;
+                      });
+        if (!in_free_section &&
+            std::find(free_entries.begin(), free_entries.end(), path) ==
+              free_entries.end())
+          fixed.insert(entry);
+      }
+    return fixed;
+  }
+
+
+
+  template void
+  Checkpoint::write(const std::string &,
+                    const PointCloud<2> &,
+                    StateArchive &,
+                    const ParameterValues &);
+  template void
+  Checkpoint::write(const std::string &,
+                    const PointCloud<3> &,
+                    StateArchive &,
+                    const ParameterValues &);
+  template void
+  Checkpoint::for_each_position<2>(
+    const std::function<void(const dealii::Point<2> &)> &) const;
+  template void
+  Checkpoint::for_each_position<3>(
+    const std::function<void(const dealii::Point<3> &)> &) const;
+  template void
+  Checkpoint::insert_own_points(PointCloud<2> &) const;
+  template void
+  Checkpoint::insert_own_points(PointCloud<3> &) const;
+} // namespace seiche

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/checkpoint_folder.h>
+#include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/first_rank.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+
+namespace seiche
+{
+  namespace
+  {
+    /// Names in a folder that match, in full; none if it does not exist.
+    std::vector<std::string>
+    matching(const std::string &directory, const std::string &pattern)
+    {
+      const std::regex         expression(pattern);
+      std::vector<std::string> names;
+      std::error_code          error;
+      for (const auto &entry :
+           std::filesystem::directory_iterator(directory, error))
+        if (std::regex_match(entry.path().filename().string(), expression))
+          names.push_back(entry.path().filename().string());
+      return names;
+    }
+
+    /// One after the other, each on a line of its own if there are several.
+    std::string
+    listed(const std::vector<std::string> &problems)
+    {
+      std::string text;
+      for (const std::string &problem : problems)
+        text += (problems.size() > 1 ? "\n  " : "") + problem;
+      return text;
+    }
+  } // namespace
+
+
+
+  CheckpointFolder::CheckpointFolder(const std::string     &output_directory,
+                                     const ParameterValues &fixed,
+                                     const MPI_Comm         mpi_communicator)
+    : directory(output_directory)
+    , parameters(fixed)
+    , communicator(mpi_communicator)
+  {}
+
+
+
+  std::vector<std::string>
+  CheckpointFolder::list() const
+  {
+    auto names = matching(directory, "checkpoint-[0-9]+\\.h5");
+    std::sort(names.begin(),
+              names.end(),
+              [](const std::string &a, const std::string &b) {
+                return a.size() != b.size() ? a.size() > b.size() : a > b;
+              });
+    return names;
+  }
+
+
+
+  void
+  CheckpointFolder::require_any() const
+  {
+    if (dealii::Utilities::MPI::broadcast(communicator, list()).empty())
+      throw InputError(directory +
+                       ": there is no checkpoint to restart from; start "
+                       "without --restart, or name the folder of the earlier "
+                       "run with --output.");
+  }
+
+
+
+  std::unique_ptr<Checkpoint>
+  CheckpointFolder::newest_usable(RunReport &report)
+  {
+    namespace MPI = dealii::Utilities::MPI;
+    std::vector<std::string> problems;
+    for (const std::string &name : MPI::broadcast(communicator, list()))
+      {
+        std::string problem;
+        if (MPI::this_mpi_process(communicator) == 0)
+          try
+            {
+              const Checkpoint candidate(directory + "/" + name);
+              candidate.require_same_scene(parameters);
+            }
+          catch (const FileError &error)
+            {
+              problem = error.what();
+            }
+        problem = MPI::broadcast(communicator, problem);
+        if (problem.empty())
+          {
+            current = name;
+            if (!problems.empty())
+              report.warn("an older checkpoint is used", listed(problems));
+            return last();
+          }
+        problems.push_back(problem);
+      }
+    throw FileError("no checkpoint can be used: " + listed(problems));
+  }
+
+
+
+  void
+  CheckpointFolder::clear() const
+  {
+    remove_others("", "");
+  }
+
+
+
+  template <int dim>
+  void
+  CheckpointFolder::write(const unsigned int     step,
+                          const PointCloud<dim> &points,
+                          StateArchive          &state)
+  {
+    const std::string name = fmt::format("checkpoint-{:06}.h5", step);
+    Checkpoint::write(directory + "/" + name, points, state, parameters);
+    on_first_rank(communicator, [&]() { remove_others(name, current); });
+    current = name;
+  }
+
+
+
+  std::unique_ptr<Checkpoint>
+  CheckpointFolder::last() const
+  {
+    return std::make_unique<Checkpoint>(directory + "/" + current);
+  }
+
+
+
+  void
+  CheckpointFolder::remove_others(const std::string &keep,
+                                  const std::string &keep_too) const
+  {
+    for (const std::string &name :
+         matching(directory, "checkpoint-[0-9]+\\.h5(\\.writing)?"))
+      if (name != keep && name != keep_too)
+        {
+          std::error_code error;
+          std::filesystem::remove(directory + "/" + name, error);
+          if (error)
+            throw FileError(directory + "/" + name +
+                            ": this old checkpoint cannot be removed (" +
+                            error.message() + "); remove it.");
+        }
+  }
+
+
+
+  template void
+  CheckpointFolder::write(const unsigned int,
+                          const PointCloud<2> &,
+                          StateArchive &);
+  template void
+  CheckpointFolder::write(const unsigned int,
+                          const PointCloud<3> &,
+                          StateArchive &);
+} // namespace seiche

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/checkpoint_schedule.h>
+#include <seiche/utilities/stop_signal.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <unistd.h>
+
+#include <chrono>
+
+namespace seiche
+{
+  namespace
+  {
+    double
+    wall_clock()
+    {
+      return std::chrono::duration<double>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+    }
+
+    bool
+    exists(const std::string &filename)
+    {
+      return ::access(filename.c_str(), F_OK) == 0;
+    }
+  } // namespace
+
+
+
+  void
+  CheckpointParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.enter_subsection("Checkpoint");
+    prm.add_parameter("Every steps",
+                      every_steps,
+                      "Steps between two checkpoints, after each of which the "
+                      "run goes on exactly as a restart from it would; 0: none",
+                      dealii::Patterns::Integer(0));
+    prm.add_parameter("Every wall time",
+                      every_wall_time,
+                      "Wall time between two checkpoints, which do not alter "
+                      "the run; 0: none [s]",
+                      dealii::Patterns::Double(0.));
+    prm.leave_subsection();
+  }
+
+
+
+  CheckpointSchedule::CheckpointSchedule(const CheckpointParameters &p,
+                                         const std::string          &directory,
+                                         const MPI_Comm mpi_communicator)
+    : parameters(p)
+    , write_file(directory + "/checkpoint-now")
+    , stop_file(directory + "/stop")
+    , communicator(mpi_communicator)
+    , is_first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+  {
+    done();
+  }
+
+
+
+  CheckpointRequest
+  CheckpointSchedule::after_step(const unsigned int step) const
+  {
+    CheckpointRequest request = CheckpointRequest::none;
+    if (parameters.every_steps > 0 && step % parameters.every_steps == 0)
+      request = CheckpointRequest::write_and_restart;
+    else if (is_first_rank &&
+             (exists(write_file) ||
+              (parameters.every_wall_time > 0. &&
+               wall_clock() - last_time >= parameters.every_wall_time)))
+      request = CheckpointRequest::write;
+    // a signal may have reached one rank only
+    if (stop_signal::received() || (is_first_rank && exists(stop_file)))
+      request = CheckpointRequest::write_and_stop;
+    return static_cast<CheckpointRequest>(
+      dealii::Utilities::MPI::max(static_cast<unsigned int>(request),
+                                  communicator));
+  }
+
+
+
+  void
+  CheckpointSchedule::done()
+  {
+    last_time = wall_clock();
+    if (is_first_rank)
+      for (const std::string &filename : {write_file, stop_file})
+        ::unlink(filename.c_str());
+  }
+} // namespace seiche

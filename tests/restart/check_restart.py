@@ -1,0 +1,210 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Interrupted and restarted runs against runs that were not.
+
+check_restart.py SEICHE MPIRUN CASE
+"""
+import os
+import pathlib
+import shutil
+import signal
+import sys
+import tempfile
+
+from runs import (Program, checkpoints, frames, require_same_files,
+                  wait_for_rows)
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "ranks"))
+from compare_ranks import TOLERANCE, difference, read_columns  # noqa: E402
+
+SCENE_2D = str(HERE / "dam_break_2d.prm")
+SCENE_3D = str(HERE / "column_3d.prm")
+# leave nothing to the solver's choices
+TIGHT = ["Solver/Newton tolerance = 1e-12",
+         "Solver/Newton absolute tolerance = 1e-13",
+         "Solver/Linear tolerance = 1e-12",
+         "Solver/Projection tolerance = 1e-13"]
+ROWS = ["statistics.csv", "probes.csv"]
+INDEX = ["grid.pvd", "points.pvd"]
+
+
+def exact(program, folder, files, interruptions):
+    """Byte for byte what the run without interruptions gives."""
+    program.run(f"{folder}/whole")
+    program.run_until(f"{folder}/parts", interruptions[0])
+    for end in interruptions[1:]:
+        program.run(f"{folder}/parts", "--restart", "--set",
+                    f"Time/End time = {end}")
+    text = program.run(f"{folder}/parts", "--restart")
+    assert "going on from" in text, text
+    require_same_files(f"{folder}/whole", f"{folder}/parts", files + INDEX)
+    names = frames(f"{folder}/whole")
+    assert names and names == frames(f"{folder}/parts"), "other frames"
+    require_same_files(f"{folder}/whole", f"{folder}/parts",
+                       [name for name in names if name.endswith(".h5")])
+    assert len(checkpoints(f"{folder}/parts")) == 2
+    for key in ("errors", "ledger", "steps", "rejected_steps",
+                "krylov_iterations"):
+        one, other = (summary(f"{folder}/{run}")[key]
+                      for run in ("whole", "parts"))
+        assert one == other, f"{key}: {one} and {other}"
+
+
+def summary(folder):
+    import json
+    with open(f"{folder}/summary.json", encoding="utf-8") as file:
+        return json.load(file)
+
+
+def require_close(folder, other):
+    one, two = read_columns(folder), read_columns(other)
+    for name in one:
+        if "iterations" not in name:
+            error = difference(name, one, two)
+            assert error <= TOLERANCE, f"{name}: {error:.1e}"
+
+
+def exact_2d(make, folder, ranks):
+    program = make(SCENE_2D, ranks)
+    exact(program, folder, ROWS, ["0.25", "0.33"])
+    totals = summary(f"{folder}/whole")
+    assert totals["rejected_steps"] > 0, "the scene shall repeat a step"
+    assert totals["ledger"]["outflow_points"] > 0, "no point has left"
+
+
+def exact_3d(make, folder, ranks):
+    exact(make(SCENE_3D, ranks), folder, ["statistics.csv"], ["0.17"])
+
+
+def other_ranks(make, folder, _):
+    """On another number of ranks, and without a checkpoint in the run that is
+    compared with."""
+    options = TIGHT + ["Time/Step control = fixed", "Time/Step = 0.005"]
+    make(SCENE_2D, 1, options + ["Checkpoint/Every steps = 0"]).run(
+        f"{folder}/whole")
+    make(SCENE_2D, 1, options).run_until(f"{folder}/parts", "0.13")
+    make(SCENE_2D, 2, options).run(f"{folder}/parts", "--restart", "--set",
+                                   "Time/End time = 0.26")
+    make(SCENE_2D, 1, options).run(f"{folder}/parts", "--restart")
+    require_close(f"{folder}/whole", f"{folder}/parts")
+
+
+def damaged(make, folder, _):
+    """A newest checkpoint that is torn, altered or none at all."""
+    program = make(SCENE_2D, 1)
+    program.run(f"{folder}/whole")
+    program.run_until(f"{folder}/origin", "0.32")
+    size = os.path.getsize(checkpoints(f"{folder}/origin")[-1])
+    damages = {f"cut at {n}": ("cut", n)
+               for n in (0, 1, size // 3, size - 60, size - 1)}
+    damages.update({f"byte {n}": ("flip", n)
+                    for n in (0, 100, size // 2, size - 30, size - 5)})
+    damages["foreign"] = ("text", b"no checkpoint\n" * 100)
+    for name, damage in damages.items():
+        parts = f"{folder}/parts"
+        shutil.rmtree(parts, ignore_errors=True)
+        shutil.copytree(f"{folder}/origin", parts)
+        newest = checkpoints(parts)[-1]
+        apply(damage, newest)
+        text = program.run(parts, "--restart")
+        assert f"{newest}: it is" in text and "older" in text, f"{name}: {text}"
+        require_same_files(f"{folder}/whole", parts, ROWS + INDEX)
+
+
+def apply(damage, filename):
+    kind, what = damage
+    if kind == "cut":
+        os.truncate(filename, what)
+        return
+    with open(filename, "r+b") as file:
+        if kind == "text":
+            file.write(what)
+            file.truncate()
+            return
+        file.seek(what)
+        byte = file.read(1)[0]
+        file.seek(what)
+        file.write(bytes([byte ^ 1]))
+
+
+def refused(make, folder, _):
+    """Nothing to go on from: exit code and message."""
+    program, parts = make(SCENE_2D, 1), f"{folder}/parts"
+    assert "no checkpoint to restart from" in program.run(
+        parts, "--restart", code=2)
+    assert not os.path.exists(parts)
+    program.run_until(parts, "0.25")
+
+    text = make(SCENE_2D, 1, ["Fluid/Density = 900"]).run(
+        parts, "--restart", code=4)
+    assert text.count("another scene") == 2 and '"Fluid/Density"' in text, text
+    make(SCENE_3D, 1).run_until(f"{folder}/3d", "0.1")
+    shutil.copy(checkpoints(f"{folder}/3d")[-1], f"{parts}/checkpoint-000900.h5")
+    text = program.run(parts, "--restart", "--set", "Time/End time = 0.26")
+    assert "another scene" in text and "older checkpoint" in text, text
+
+    for name in checkpoints(parts):
+        apply(("cut", 5000), name)
+    text = program.run(parts, "--restart", code=4)
+    for name in checkpoints(parts):
+        assert f"{name}: it is" in text, text
+
+    program.run_until(parts, "0.25")  # a new run: no old checkpoints
+    assert all("00090" not in name for name in checkpoints(parts))
+    os.truncate(f"{parts}/statistics.csv", 1000)
+    assert "statistics.csv" in program.run(parts, "--restart", code=4)
+
+
+def stopped(make, folder, ranks):
+    """By signals and by files; the rest of the run is as it would have been."""
+    options = TIGHT + ["Checkpoint/Every steps = 0", "Time/Step = 0.004",
+                       "Time/Step control = fixed", "Output/Interval = 0"]
+    program, parts = make(SCENE_2D, ranks, options), f"{folder}/parts"
+    program.run(f"{folder}/whole")
+
+    def stop(action, row, *arguments):
+        process = program.start(parts, *arguments)
+        wait_for_rows(process, parts, row)
+        action(process)
+        text = process.communicate(timeout=60)[0]
+        assert process.returncode == 5, f"{process.returncode}: {text}"
+        assert "stopped; to go on" in text, text
+
+    if ranks == 1:
+        stop(lambda process: process.send_signal(signal.SIGTERM), 10)
+        stop(lambda process: process.send_signal(signal.SIGINT), 30, "--restart")
+    else:
+        stop(lambda process: process.send_signal(signal.SIGUSR1), 10)
+    stop(lambda _: open(f"{parts}/stop", "w").close(), 60, "--restart")
+    assert not os.path.exists(f"{parts}/stop")
+
+    process = program.start(parts, "--restart")
+    wait_for_rows(process, parts, 75)
+    open(f"{parts}/checkpoint-now", "w").close()
+    assert process.wait(timeout=120) == 0, process.communicate()[0]
+    assert not os.path.exists(f"{parts}/checkpoint-now")
+    require_close(f"{folder}/whole", parts)
+
+
+CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
+         "exact_3d": (exact_3d, 1), "exact_3d_2_ranks": (exact_3d, 2),
+         "other_ranks": (other_ranks, 1), "damaged": (damaged, 1),
+         "refused": (refused, 1), "stopped": (stopped, 1),
+         "stopped_2_ranks": (stopped, 2)}
+
+
+def main():
+    seiche, mpirun, name = sys.argv[1:]
+    case, ranks = CASES[name]
+
+    def make(scene, n, options=()):
+        return Program(seiche, mpirun, scene, n, options)
+
+    with tempfile.TemporaryDirectory() as folder:
+        case(make, folder, ranks)
+    print(f"{name}: as it should be")
+
+
+if __name__ == "__main__":
+    main()
