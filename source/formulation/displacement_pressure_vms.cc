@@ -33,16 +33,16 @@ namespace seiche
       {
         const auto &quadrature = cell.quadrature;
         // weights use the relaxed J, never the drifted one
-        const double J_n =
-          1. + std::clamp(cell.coefficients.volume_recovery *
-                            (quadrature.volume_ratio[q] - 1.),
-                          -largest_recovery,
-                          largest_recovery);
-        volume_n     = J_n * quadrature.volume[q];
-        volume_t     = point.det_t * volume_n;
-        J_1          = point.det_1 * J_n;
-        rho_t        = quadrature.mass[q] / volume_t;
-        acceleration = point.value(cell.acceleration);
+        double error =
+          cell.coefficients.volume_recovery * (quadrature.volume_ratio[q] - 1.);
+        if (std::isinf(material.bulk_modulus)) // else J carries the pressure
+          error = std::clamp(error, -largest_recovery, largest_recovery);
+        const double J_n = 1. + error;
+        volume_n         = J_n * quadrature.volume[q];
+        volume_t         = point.det_t * volume_n;
+        J_1              = point.det_1 * J_n;
+        rho_t            = quadrature.mass[q] / volume_t;
+        acceleration     = point.value(cell.acceleration);
 
         const double pressure = point.value(cell.pressure);
         pressure_gradient     = point.gradient(cell.pressure, point.gradient_t);

@@ -86,7 +86,7 @@ namespace seiche
   std::vector<std::string>
   GaugeParameters<dim>::columns() const
   {
-    return {"gauge " + name + " [m]"};
+    return {"gauge " + name + " [m]", "depth " + name + " [m]"};
   }
 
   template <int dim>
@@ -125,7 +125,8 @@ namespace seiche
     const std::vector<GaugeParameters<dim>> &parameters,
     const BackgroundGrid<dim>               &grid)
     : gauges(parameters)
-    , bottom(grid.parameters.lower_corner[dim - 1])
+    , lower_corner(grid.parameters.lower_corner)
+    , upper_corner(grid.parameters.upper_corner)
   {}
 
   template <int dim>
@@ -134,14 +135,22 @@ namespace seiche
                            StatisticsTable     &statistics)
   {
     std::vector<double> level(gauges.size(), lowest);
+    std::vector<double> depth(gauges.size(), 0.);
     for (unsigned int g = 0; g < gauges.size(); ++g)
       {
         const double width =
           gauges[g].width > 0. ? gauges[g].width : view.spacing_cell;
         const double *height = view.points.data(PointColumn::position, dim - 1);
+        const double *volume = view.points.data(PointColumn::initial_volume);
         std::array<const double *, dim - 1> x;
+        double                              area = 1.; // inside the domain
         for (unsigned int d = 0; d + 1 < dim; ++d)
-          x[d] = view.points.data(PointColumn::position, d);
+          {
+            x[d]           = view.points.data(PointColumn::position, d);
+            const double c = gauges[g].position[d];
+            area *= std::min(c + width, upper_corner[d]) -
+                    std::max(c - width, lower_corner[d]);
+          }
         for (std::size_t i = 0; i < view.points.size(); ++i)
           {
             bool inside = true;
@@ -149,14 +158,25 @@ namespace seiche
               inside =
                 inside && std::abs(x[d][i] - gauges[g].position[d]) <= width;
             if (inside)
-              level[g] = std::max(level[g], height[i]);
+              {
+                level[g] = std::max(level[g], height[i]);
+                depth[g] += volume[i] / area;
+              }
           }
       }
-    maximum_over_ranks(level, view.points.communicator);
+    const MPI_Comm communicator = view.points.communicator;
+    maximum_over_ranks(level, communicator);
+    Utilities::MPI::sum(ArrayView<const double>(depth.data(), depth.size()),
+                        communicator,
+                        ArrayView<double>(depth.data(), depth.size()));
     for (unsigned int g = 0; g < gauges.size(); ++g)
-      statistics.set(gauges[g].columns()[0],
-                     level[g] == lowest ? bottom :
-                                          level[g] + view.half_spacing);
+      {
+        const auto columns = gauges[g].columns();
+        statistics.set(columns[0],
+                       level[g] == lowest ? lower_corner[dim - 1] :
+                                            level[g] + view.half_spacing);
+        statistics.set(columns[1], depth[g]);
+      }
   }
 
   template struct FrontParameters<2>;

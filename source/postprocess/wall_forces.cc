@@ -16,6 +16,29 @@ namespace seiche
     template <int dim>
     constexpr unsigned int n_rotations = (dim == 2 ? 1 : 3);
 
+    /// Whether a node lies on that face of a box; "all" is any place.
+    template <int dim>
+    bool
+    lies_on(const Point<dim>  &x,
+            const std::string &face,
+            const Point<dim>  &lower,
+            const Point<dim>  &upper,
+            const unsigned int component)
+    {
+      if (face == "all")
+        return true;
+      const std::array<const char *, 6> sides = {
+        {"left", "right", "front", "back", "bottom", "top"}};
+      unsigned int side =
+        std::find(sides.begin(), sides.end(), face) - sides.begin();
+      if (dim == 2 && side >= 4)
+        side -= 2;
+      const unsigned int d     = side / 2;
+      const double       place = side % 2 == 0 ? lower[d] : upper[d];
+      return component == d &&
+             std::abs(x[d] - place) < 1e-8 * (upper[d] - lower[d]);
+    }
+
     template <int dim>
     std::vector<std::string>
     wall_names(const BackgroundGrid<dim> &grid)
@@ -52,6 +75,14 @@ namespace seiche
                         "are added.",
                       Patterns::List(Patterns::Anything()),
                       /*has_to_be_set=*/true);
+    prm.add_parameter("Face",
+                      face,
+                      "Of obstacles: count the normal force on this face only. "
+                      "Sides of the domain do not take part.",
+                      Patterns::Selection(dim == 2 ?
+                                            "all|left|right|bottom|top" :
+                                            "all|left|right|front|back|"
+                                            "bottom|top"));
     prm.add_parameter("Reference point",
                       reference_point,
                       "Point about which the moment is taken. [m]");
@@ -105,6 +136,20 @@ namespace seiche
   {}
 
   template <int dim>
+  bool
+  WallForces<dim>::counts(const ForceParameters<dim> &force,
+                          const unsigned int          wall,
+                          const Point<dim>           &x,
+                          const unsigned int          component) const
+  {
+    if (wall < 2 * dim)
+      return force.face == "all";
+    const auto &box = grid.parameters.obstacles[wall - 2 * dim];
+    return lies_on(
+      x, force.face, box.lower_corner, box.upper_corner, component);
+  }
+
+  template <int dim>
   void
   WallForces<dim>::collect_shares(const Occupancy<dim> &occupancy)
   {
@@ -129,7 +174,8 @@ namespace seiche
               fixing.push_back(id);
           for (const unsigned int id : fixing)
             for (const unsigned int f : forces_of_wall[id])
-              shares.push_back({f, node, c, 1. / fixing.size()});
+              if (counts(forces[f], id, occupancy.node_position(node), c))
+                shares.push_back({f, node, c, 1. / fixing.size()});
         }
     generation = occupancy.generation();
   }

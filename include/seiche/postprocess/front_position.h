@@ -74,8 +74,9 @@ namespace seiche
    *
    * Vertical coordinate of the highest point within the width on either side
    * (in every horizontal direction), and half the initial spacing above it;
-   * the bottom of the domain if there is no point. Vertical is the last
-   * direction.
+   * the bottom of the domain if there is no point. And the depth: volume of the
+   * water above that area over the area, which a single drop hardly changes.
+   * Vertical is the last direction.
    */
   template <int dim>
   class WaterLevel : public Postprocessor<dim>
@@ -89,7 +90,7 @@ namespace seiche
 
   private:
     const std::vector<GaugeParameters<dim>> gauges;
-    const double                            bottom; // [m]
+    const dealii::Point<dim>                lower_corner, upper_corner; // [m]
   };
 } // namespace seiche
 

@@ -24,6 +24,7 @@ namespace seiche
 
     std::string              name;
     std::vector<std::string> walls;           ///< names of sides and obstacles
+    std::string              face = "all";    ///< of obstacles
     dealii::Point<dim>       reference_point; ///< of the moment [m]
 
     void
@@ -61,6 +62,13 @@ namespace seiche
       unsigned int component;
       double       part;
     };
+
+    /// Whether a component of the reaction at a node on that wall counts.
+    bool
+    counts(const ForceParameters<dim> &force,
+           const unsigned int          wall,
+           const dealii::Point<dim>   &x,
+           const unsigned int          component) const;
 
     void
     collect_shares(const Occupancy<dim> &occupancy);
