@@ -196,8 +196,14 @@ namespace seiche
         const TimerTree::Scope scope(timer, "velocity projection");
         const LinearResult     result = velocity_projection.apply(state);
         last.krylov_iterations += result.iterations;
-        if (!result.converged)
+        if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
           return "the velocity projection did not converge";
+        if (!result.converged)
+          report.warn("a velocity projection stopped early",
+                      fmt::format("t = {:.6g} s: {:.1e} of the violation is "
+                                  "left",
+                                  state.time,
+                                  result.reduction));
       }
     {
       const TimerTree::Scope scope(timer, "newton");

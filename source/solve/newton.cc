@@ -15,10 +15,9 @@ namespace seiche
     /// method if it reduces the residual this much.
     constexpr double usable_reduction = 0.3;
 
-    /// Each time that a step is repeated because Newton's iteration stalls, the
-    /// tolerance grows tenfold, up to this: what is left sits in single drops,
-    /// and shorter steps do not remove it.
-    constexpr double loosest_tolerance = 1e-2;
+    /// Backtracking halves the update until the residual falls, down to this
+    /// share of it: impacts turn a drop's velocity within a step.
+    constexpr double shortest_step = 0.1;
   } // namespace
 
   void
@@ -91,6 +90,25 @@ namespace seiche
   }
 
   template <int dim>
+  double
+  Newton<dim>::move(GridState<dim> &state, const double before)
+  {
+    double length = 1., done = 0.;
+    while (true)
+      {
+        state.solution.zero_out_ghost_values();
+        state.solution.add(length - done, update);
+        state.solution.update_ghost_values();
+        assembler.residual(state, residual);
+        const double after = solver.norm(residual);
+        if (after < before || length < shortest_step)
+          return after;
+        done = length;
+        length *= 0.5;
+      }
+  }
+
+  template <int dim>
   NewtonResult
   Newton<dim>::solve(GridState<dim> &state)
   {
@@ -98,15 +116,11 @@ namespace seiche
     residual.reinit(state.solution);
     update.reinit(state.solution);
     assembler.residual(state, residual);
-    const Norms  first = norms(residual), scale = scales(state);
-    const double tolerance =
-      std::max(parameters.tolerance,
-               std::min(loosest_tolerance,
-                        parameters.tolerance * std::pow(10., stalls)));
+    const Norms first = norms(residual), scale = scales(state);
     const Norms target = {
-      std::max(tolerance * first.momentum,
+      std::max(parameters.tolerance * first.momentum,
                parameters.absolute_tolerance * scale.momentum),
-      std::max(tolerance * first.volume,
+      std::max(parameters.tolerance * first.volume,
                parameters.absolute_tolerance * scale.volume)};
 
     Norms  now     = first;
@@ -123,7 +137,6 @@ namespace seiche
               result.iterations,
               now.momentum / first.momentum,
               first.volume > 0. ? now.volume / first.volume : 0.);
-            ++stalls;
             return result;
           }
         assembler.tangent(state, matrix);
@@ -140,14 +153,10 @@ namespace seiche
                           linear.iterations);
             return result;
           }
-        state.solution.zero_out_ghost_values();
-        state.solution += update;
-        state.solution.update_ghost_values();
-        assembler.residual(state, residual);
-        now = norms(residual);
+        const double after = move(state, before);
+        now                = norms(residual);
 
         // what is left to gain: never ask the next solve for much more
-        const double after = solver.norm(residual);
         const double needed =
           0.3 * std::min(target.momentum / now.momentum,
                          now.volume > 0. ? target.volume / now.volume : 1.);
@@ -155,7 +164,6 @@ namespace seiche
                              std::min(needed, largest_forcing),
                              largest_forcing);
       }
-    stalls           = 0;
     result.converged = true;
     return result;
   }

@@ -3,6 +3,8 @@
 #include <seiche/transfer/transfer.h>
 #include <seiche/utilities/shape_functions.h>
 
+#include <algorithm>
+
 namespace seiche
 {
   namespace
@@ -34,7 +36,8 @@ namespace seiche
              const std::size_t                              begin,
              const std::size_t                              end,
              const dealii::Point<dim>                      &lower,
-             const dealii::Tensor<1, dim>                  &extent)
+             const dealii::Tensor<1, dim>                  &extent,
+             const double                                   gradient_share)
     {
       constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
       CellSums<dim>          sums;
@@ -61,7 +64,8 @@ namespace seiche
               if (affine)
                 for (unsigned int d = 0; d < dim; ++d)
                   {
-                    slope[d] = arrays.gradient[c * dim + d][p] * extent[d];
+                    slope[d] = gradient_share *
+                               arrays.gradient[c * dim + d][p] * extent[d];
                     base -= slope[d] * unit[d];
                   }
               for (unsigned int i = 0; i < n_nodes; ++i)
@@ -89,8 +93,8 @@ namespace seiche
                      const PointCloud<dim>                         &points,
                      const Occupancy<dim>                          &occupancy,
                      const unsigned int                             cell,
-                     const bool                                     affine,
-                     const bool with_acceleration)
+                     const double gradient_share,
+                     const bool   with_acceleration)
     {
       constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
       const unsigned int    *nodes   = occupancy.cell_nodes(cell);
@@ -113,9 +117,10 @@ namespace seiche
               for (unsigned int c = 0; c < dim; ++c)
                 {
                   double value = arrays.velocity[c][p];
-                  if (affine)
+                  if (gradient_share > 0.)
                     for (unsigned int d = 0; d < dim; ++d)
-                      value += arrays.gradient[c * dim + d][p] * arm[d];
+                      value += gradient_share *
+                               arrays.gradient[c * dim + d][p] * arm[d];
                   sums.momentum[c][i] += N[i] * value;
                   if (with_acceleration)
                     sums.acceleration[c][i] += N[i] * arrays.acceleration[c][p];
@@ -123,6 +128,19 @@ namespace seiche
             }
         }
       return sums;
+    }
+
+
+
+    /// Share of the velocity gradient that the points of a cell pass on. Few
+    /// points define no gradient (one in dim dimensions takes dim + 1): C would
+    /// feed on itself through nodes of little mass, to which it extrapolates,
+    /// and spray explode.
+    template <int dim>
+    double
+    gradient_share(const unsigned int n_points)
+    {
+      return std::min(1., (static_cast<double>(n_points) - 1.) / (dim + 1.));
     }
 
 
@@ -143,24 +161,21 @@ namespace seiche
       double *acceleration = state.acceleration_n.begin();
       for (const unsigned int cell : occupancy.occupied_cells())
         {
-          // A point alone in its cell defines no gradient: C would feed on
-          // itself through nodes of little mass, and spray explode.
-          const bool with_gradient  = affine && points.n_points_in(cell) > 1;
-          const auto sum            = with_gradient ?
-                                        sum_cell<dim, affine, with_acceleration> :
-                                        sum_cell<dim, false, with_acceleration>;
-          const CellSums<dim> sums  = occupancy.hanging().has_matrix(cell) ?
-                                        sum_hanging_cell(arrays,
-                                                        points,
-                                                        occupancy,
-                                                        cell,
-                                                        with_gradient,
-                                                        with_acceleration) :
-                                        sum(arrays,
-                                           points.first_point(cell),
-                                           points.first_point(cell + 1),
-                                           locator.lower_corner(cell),
-                                           locator.extent(cell));
+          const double share =
+            affine ? gradient_share<dim>(points.n_points_in(cell)) : 0.;
+          const auto          sum = share > 0. ?
+                                      sum_cell<dim, affine, with_acceleration> :
+                                      sum_cell<dim, false, with_acceleration>;
+          const CellSums<dim> sums =
+            occupancy.hanging().has_matrix(cell) ?
+              sum_hanging_cell(
+                arrays, points, occupancy, cell, share, with_acceleration) :
+              sum(arrays,
+                  points.first_point(cell),
+                  points.first_point(cell + 1),
+                  locator.lower_corner(cell),
+                  locator.extent(cell),
+                  share);
           const unsigned int *nodes = occupancy.cell_nodes(cell);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {

@@ -34,7 +34,8 @@ namespace seiche
    * The residual of each field (momentum [N], volume [m^dim]) must fall below
    * tolerance times its first value, or below the absolute tolerance times
    * the forces (volumes) at work. Forcing terms: Eisenstat and Walker 1996,
-   * choice 2, not below what the convergence test can use.
+   * choice 2, not below what the convergence test can use. Updates that make
+   * the residual grow are shortened.
    */
   template <int dim>
   class Newton
@@ -67,9 +68,13 @@ namespace seiche
     Norms
     scales(const GridState<dim> &state) const;
 
+    /// Add the update to the solution, or the largest half, quarter, ... of it
+    /// that makes the residual fall below @p before. The new residual's norm.
+    double
+    move(GridState<dim> &state, const double before);
+
     const NewtonParameters parameters;
     const double           largest_forcing;
-    unsigned int           stalls = 0; ///< since the last success
     Assembler<dim>        &assembler;
     BlockMatrix<dim>      &matrix;
     LinearSolver<dim>     &solver;

@@ -30,6 +30,11 @@ namespace seiche
                        LinearSolver<dim> &solver,
                        const double       tolerance);
 
+    /// A projection that stops early but has reduced the violation this much
+    /// may be used: the step deals with the rest, and a shorter step would not
+    /// help, because the system does not depend on dt.
+    static constexpr double usable_reduction = 0.1;
+
     /// state.velocity_start from state.velocity_n; ghosts too. Leaves the
     /// solution of the state untouched. Collective.
     LinearResult
