@@ -10,13 +10,13 @@ namespace seiche
 
   namespace
   {
-    // work of a cell in units of a thousandth of a full cell's, measured
-    // (doc/scaling.md): assembly and solution of full cells, of cells with
-    // points as quadrature, and the transfers of a point
-    constexpr unsigned int weight_of_empty_cell   = 1;
-    constexpr unsigned int weight_of_full_cell    = 1000;
-    constexpr unsigned int weight_of_surface_cell = 2000;
-    constexpr unsigned int weight_of_point        = 15;
+    // Work in units of a thousandth of a full cell's (58 us a step in 3D),
+    // measured (doc/scaling.md). Cells at the surface have ghost faces, and
+    // points instead of Gauss points as quadrature.
+    constexpr unsigned int weight_of_empty_cell       = 1;
+    constexpr unsigned int weight_of_cell             = 1000;
+    constexpr unsigned int weight_of_point            = 4; // transfers
+    constexpr unsigned int weight_of_quadrature_point = 41;
 
     constexpr double tolerated_imbalance = 1.1;
 
@@ -256,8 +256,10 @@ namespace seiche
   {
     if (!holds_fluid[cell])
       return weight_of_empty_cell;
-    return (at_surface[cell] ? weight_of_surface_cell : weight_of_full_cell) +
-           weight_of_point * points.n_points_in(cell);
+    return weight_of_cell +
+           points.n_points_in(cell) *
+             (weight_of_point +
+              (at_surface[cell] ? weight_of_quadrature_point : 0));
   }
 
   template <int dim>

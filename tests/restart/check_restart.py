@@ -20,6 +20,7 @@ from compare_ranks import TOLERANCE, difference, read_columns  # noqa: E402
 
 SCENE_2D = str(HERE / "dam_break_2d.prm")
 SCENE_3D = str(HERE / "column_3d.prm")
+SCENE_ADAPTIVE = str(HERE / "adaptive_2d.prm")
 # leave nothing to the solver's choices
 TIGHT = ["Solver/Newton tolerance = 1e-12",
          "Solver/Newton absolute tolerance = 1e-13",
@@ -75,6 +76,10 @@ def exact_2d(make, folder, ranks):
 
 def exact_3d(make, folder, ranks):
     exact(make(SCENE_3D, ranks), folder, ["statistics.csv"], ["0.17"])
+
+
+def exact_adaptive(make, folder, ranks):
+    exact(make(SCENE_ADAPTIVE, ranks), folder, ["statistics.csv"], ["0.13"])
 
 
 def other_ranks(make, folder, _):
@@ -189,6 +194,7 @@ def stopped(make, folder, ranks):
 
 CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_3d": (exact_3d, 1), "exact_3d_2_ranks": (exact_3d, 2),
+         "exact_adaptive_2_ranks": (exact_adaptive, 2),
          "other_ranks": (other_ranks, 1), "damaged": (damaged, 1),
          "refused": (refused, 1), "stopped": (stopped, 1),
          "stopped_2_ranks": (stopped, 2)}
