@@ -282,27 +282,23 @@ namespace seiche
         imbalance() <= tolerated_imbalance)
       return false;
 
-    std::vector<Point<dim>>   centres;
-    std::vector<unsigned int> n_points;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      if (points.n_points_in(cell) > 0)
-        {
-          centres.push_back(locator.box(cell).center());
-          n_points.push_back(points.n_points_in(cell));
-        }
+    // the forest takes the points along with their cells
+    using ActiveCell  = typename Triangulation<dim>::active_cell_iterator;
+    const auto handle = grid.triangulation.register_data_attach(
+      [&](const auto &cell, const auto) {
+        return points.pack_cell(locator.index(ActiveCell(cell)));
+      },
+      /*returns_variable_size_data=*/true);
     grid.repartition([&](const auto &cell) {
-      const auto active =
-        typename Triangulation<dim>::active_cell_iterator(cell);
-      return weight(locator.index(active));
+      return weight(locator.index(ActiveCell(cell)));
     });
-    const std::vector<unsigned int> owners =
-      grid.triangulation.find_point_owner_rank(centres);
-    std::vector<unsigned int> new_owner; // points are sorted by cell
-    new_owner.reserve(points.size());
-    for (std::size_t i = 0; i < owners.size(); ++i)
-      new_owner.insert(new_owner.end(), n_points[i], owners[i]);
+    std::vector<char> packed;
+    grid.triangulation.notify_ready_to_unpack(
+      handle, [&](const auto &, const auto, const auto &bytes) {
+        packed.insert(packed.end(), bytes.begin(), bytes.end());
+      });
     locator.reinit();
-    points.redistribute(new_owner);
+    points.replace(packed);
     find_fluid();
     return true;
   }

@@ -4,45 +4,46 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <cstring>
 #include <map>
 
 // The part of PointCloud that sends points to other ranks.
 namespace seiche
 {
-  /// Points on their way to one rank: ids, and all components of the first
-  /// point, of the second one, ...
-  template <int dim>
-  struct PointCloud<dim>::Packet
+  namespace
   {
-    std::vector<std::uint64_t> ids;
-    std::vector<double>        values;
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int /*version*/)
+    /// Points on their way to one rank: ids, and all components of the first
+    /// point, of the second one, ...
+    struct Packet
     {
-      archive &ids &values;
-    }
-  };
+      std::vector<std::uint64_t> ids;
+      std::vector<double>        values;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &ids &values;
+      }
+    };
+  } // namespace
 
 
 
   template <int dim>
   void
-  PointCloud<dim>::pack(const std::size_t point, Packet &packet)
+  PointCloud<dim>::migrate(const std::vector<std::size_t> &emigrants)
   {
-    packet.ids.push_back(point_ids[point]);
-    for (const auto &array : arrays)
-      packet.values.push_back(array[point]);
-    point_cells[point] = invalid; // sort() drops it
-  }
+    std::map<unsigned int, Packet> sent;
+    for (const std::size_t point : emigrants)
+      {
+        Packet &packet = sent[locator.owner(point_cells[point])];
+        packet.ids.push_back(point_ids[point]);
+        for (const auto &array : arrays)
+          packet.values.push_back(array[point]);
+        point_cells[point] = invalid; // sort() drops it
+      }
 
-
-
-  template <int dim>
-  void
-  PointCloud<dim>::exchange(const std::map<unsigned int, Packet> &sent)
-  {
     for (const auto &received :
          dealii::Utilities::MPI::some_to_some(communicator, sent))
       {
@@ -66,35 +67,51 @@ namespace seiche
 
 
   template <int dim>
-  void
-  PointCloud<dim>::migrate(const std::vector<std::size_t> &emigrants)
+  std::vector<char>
+  PointCloud<dim>::pack_cell(const unsigned int cell) const
   {
-    std::map<unsigned int, Packet> sent;
-    for (const std::size_t point : emigrants)
-      pack(point, sent[locator.owner(point_cells[point])]);
-    exchange(sent);
+    std::vector<char> bytes;
+    const auto        append = [&bytes](const auto &value) {
+      const char *begin = reinterpret_cast<const char *>(&value);
+      bytes.insert(bytes.end(), begin, begin + sizeof(value));
+    };
+    for (std::size_t p = first_point(cell); p < first_point(cell + 1); ++p)
+      {
+        append(point_ids[p]);
+        for (const auto &array : arrays)
+          append(array[p]);
+      }
+    return bytes;
   }
 
 
 
   template <int dim>
   void
-  PointCloud<dim>::redistribute(const std::vector<unsigned int> &new_owner)
+  PointCloud<dim>::replace(const std::vector<char> &packed)
   {
-    AssertDimension(new_owner.size(), size());
-    const unsigned int rank =
-      dealii::Utilities::MPI::this_mpi_process(communicator);
-    std::map<unsigned int, Packet> sent;
-    for (std::size_t p = 0; p < new_owner.size(); ++p)
-      if (new_owner[p] == rank)
-        point_cells[p] = locator.find(position(p));
-      else
-        pack(p, sent[new_owner[p]]);
-    Census census;
-    census.n_before = size();
-    exchange(sent);
-    sort();
-    account(census);
+    const std::uint64_t n_before = global_size;
+    const std::size_t   n =
+      packed.size() / (sizeof(std::uint64_t) + arrays.size() * sizeof(double));
+    point_ids.resize(n);
+    point_cells.assign(n, invalid);
+    for (auto &array : arrays)
+      array.resize(n);
+    const char *next = packed.data();
+    const auto  read = [&next](auto &value) {
+      std::memcpy(&value, next, sizeof(value));
+      next += sizeof(value);
+    };
+    for (std::size_t p = 0; p < n; ++p)
+      {
+        read(point_ids[p]);
+        for (auto &array : arrays)
+          read(array[p]);
+      }
+    relocate();
+    AssertThrow(global_size == n_before,
+                dealii::ExcMessage("Points were lost on the way between ranks "
+                                   "when the cells were shared out."));
   }
 
 
@@ -103,8 +120,12 @@ namespace seiche
   PointCloud<2>::migrate(const std::vector<std::size_t> &);
   template void
   PointCloud<3>::migrate(const std::vector<std::size_t> &);
+  template std::vector<char>
+  PointCloud<2>::pack_cell(const unsigned int) const;
+  template std::vector<char>
+  PointCloud<3>::pack_cell(const unsigned int) const;
   template void
-  PointCloud<2>::redistribute(const std::vector<unsigned int> &);
+  PointCloud<2>::replace(const std::vector<char> &);
   template void
-  PointCloud<3>::redistribute(const std::vector<unsigned int> &);
+  PointCloud<3>::replace(const std::vector<char> &);
 } // namespace seiche

@@ -138,15 +138,10 @@ namespace seiche
     const GridParameters<dim> &grid_parameters,
     MPI_Comm                   communicator)
     : parameters(grid_parameters)
-    , triangulation(
-        communicator,
-        dealii::Triangulation<dim>::none,
-        static_cast<
-          typename dealii::parallel::distributed::Triangulation<dim>::Settings>(
-          dealii::parallel::distributed::Triangulation<
-            dim>::no_automatic_repartitioning |
-          dealii::parallel::distributed::Triangulation<
-            dim>::communicate_vertices_to_p4est))
+    , triangulation(communicator,
+                    dealii::Triangulation<dim>::none,
+                    dealii::parallel::distributed::Triangulation<
+                      dim>::no_automatic_repartitioning)
   {
     for (unsigned int d = 0; d < dim; ++d)
       lattice[d] = make_segments(parameters, d);

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -114,10 +113,15 @@ namespace seiche
     void
     relocate();
 
-    /// The mesh has been repartitioned and the locator is up to date: send each
-    /// point to its @p new_owner [size()], a rank. Collective.
+    /// The points of an own cell, for the forest to send along with the cell
+    /// when the mesh is repartitioned. Local.
+    std::vector<char>
+    pack_cell(const unsigned int cell) const;
+
+    /// After that: the points are those of @p packed, the cells of this rank
+    /// one after the other; the locator is up to date. Collective.
     void
-    redistribute(const std::vector<unsigned int> &new_owner);
+    replace(const std::vector<char> &packed);
 
     /// Points that left through open sides since the start, all ranks.
     std::uint64_t
@@ -170,13 +174,6 @@ namespace seiche
     /// Send points to the owners of their cells, receive others. Collective.
     void
     migrate(const std::vector<std::size_t> &emigrants);
-
-    /// Packets of points by rank; drops them here. Collective.
-    struct Packet;
-    void
-    pack(const std::size_t point, Packet &packet);
-    void
-    exchange(const std::map<unsigned int, Packet> &sent);
 
     /// Drop points with invalid cell and sort the rest by (cell, id).
     void
