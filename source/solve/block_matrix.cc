@@ -1,45 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/block_matrix.h>
 
-#include <Epetra_CrsGraph.h>
-#include <Epetra_Vector.h>
-
-#include <numeric>
+#include <algorithm>
 
 namespace seiche
 {
   using namespace dealii;
 
-  double &
-  diagonal_entry(const Epetra_CrsMatrix &matrix, const int row)
-  {
-    int     n;
-    double *values;
-    int    *columns;
-    matrix.ExtractMyRowView(row, n, values, columns);
-    const int *found = std::lower_bound(columns, columns + n, row);
-    Assert(found != columns + n && *found == row, ExcInternalError());
-    return values[found - columns];
-  }
-
-  namespace
-  {
-    bool
-    row_is_zero(const Epetra_CrsMatrix &matrix, const int row)
-    {
-      int     n;
-      double *values;
-      matrix.ExtractMyRowView(row, n, values);
-      return std::all_of(values, values + n, [](const double value) {
-        return value == 0.;
-      });
-    }
-  } // namespace
-
   template <int dim>
   BlockMatrix<dim>::BlockMatrix(const Occupancy<dim> &grid_occupancy,
                                 const bool            pressure)
     : occupancy(grid_occupancy)
+    , pattern(grid_occupancy)
     , with_pressure(pressure)
   {}
 
@@ -47,265 +19,58 @@ namespace seiche
   void
   BlockMatrix<dim>::reinit(const Fill<dim> &fill)
   {
-    const bool keep = numbering_generation == occupancy.generation() &&
-                      pattern_covers(fill.ghost_faces());
-    const MPI_Comm communicator =
-      occupancy.locator.grid.triangulation.get_communicator();
-    if (Utilities::MPI::min(keep ? 1 : 0, communicator) == 1)
+    if (!pattern.reinit(fill))
       return;
-    numbering_generation = occupancy.generation();
     ++pattern_generation;
-    build_pattern(fill);
-    build_scatter();
-    build_matrices();
-  }
-
-  template <int dim>
-  bool
-  BlockMatrix<dim>::pattern_covers(const std::vector<GhostFace> &faces) const
-  {
-    return std::all_of(faces.begin(), faces.end(), [&](const GhostFace &face) {
-      return covered_faces[face_index(face.lower, face.upper, face.direction)];
-    });
-  }
-
-  template <int dim>
-  std::size_t
-  BlockMatrix<dim>::face_index(const unsigned int lower,
-                               const unsigned int upper,
-                               const unsigned int direction) const
-  {
-    const auto &locator = occupancy.locator;
-    return locator.level(lower) >= locator.level(upper) ?
-             lower * 2 * dim + 2 * direction + 1 :
-             upper * 2 * dim + 2 * direction;
-  }
-
-  template <int dim>
-  void
-  BlockMatrix<dim>::build_pattern(const Fill<dim> &fill)
-  {
-    // Groups of mutually coupled nodes: cells, and pairs of cells across the
-    // faces that may become ghost faces before the next numbering.
-    std::vector<unsigned int> group_begin = {0}, group_nodes;
-    const auto                close_group = [&]() {
-      group_begin.push_back(group_nodes.size());
-    };
-    for (const unsigned int cell : occupancy.active_cells())
-      {
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        group_nodes.insert(group_nodes.end(), nodes, nodes + n_nodes);
-        close_group();
-      }
-    covered_faces.assign(occupancy.locator.n_cells() * 2 * dim, 0);
-    const auto near_surface = [&](const unsigned int cell) {
-      return !occupancy.is_occupied(cell) || fill.is_cut(cell);
-    };
-    const auto add_face_group = [&](const unsigned int lower,
-                                    const unsigned int upper,
-                                    const unsigned int direction) {
-      if (!near_surface(lower) && !near_surface(upper))
-        return;
-      covered_faces[face_index(lower, upper, direction)] = 1;
-      for (const unsigned int cell : {lower, upper})
-        {
-          const unsigned int *nodes = occupancy.cell_nodes(cell);
-          group_nodes.insert(group_nodes.end(), nodes, nodes + n_nodes);
-        }
-      close_group();
-    };
-    occupancy.for_each_assembled_face(
-      occupancy.active_cells(),
-      [&](const unsigned int cell) { return occupancy.is_active(cell); },
-      add_face_group);
-
-    // groups at each node, then the union of their nodes
-    const unsigned int        n_rows = occupancy.n_local_nodes();
-    std::vector<unsigned int> at_begin(n_rows + 1, 0), at;
-    for (const unsigned int node : group_nodes)
-      ++at_begin[node + 1];
-    std::partial_sum(at_begin.begin(), at_begin.end(), at_begin.begin());
-    at.resize(group_nodes.size());
-    std::vector<unsigned int> next(at_begin.begin(), at_begin.end() - 1);
-    for (unsigned int g = 0; g + 1 < group_begin.size(); ++g)
-      for (unsigned int i = group_begin[g]; i < group_begin[g + 1]; ++i)
-        at[next[group_nodes[i]]++] = g;
-
-    row_begin.assign(1, 0);
-    columns.clear();
-    std::vector<unsigned int> last_seen(n_rows, Occupancy<dim>::invalid);
-    for (unsigned int row = 0; row < n_rows; ++row)
-      {
-        for (unsigned int i = at_begin[row]; i < at_begin[row + 1]; ++i)
-          for (unsigned int j = group_begin[at[i]]; j < group_begin[at[i] + 1];
-               ++j)
-            if (last_seen[group_nodes[j]] != row)
-              {
-                last_seen[group_nodes[j]] = row;
-                columns.push_back(group_nodes[j]);
-              }
-        std::sort(columns.begin() + row_begin.back(), columns.end());
-        row_begin.push_back(columns.size());
-      }
-  }
-
-  template <int dim>
-  unsigned int
-  BlockMatrix<dim>::position(const unsigned int row,
-                             const unsigned int column) const
-  {
-    const auto begin = columns.begin() + row_begin[row];
-    const auto end   = columns.begin() + row_begin[row + 1];
-    const auto found = std::lower_bound(begin, end, column);
-    Assert(found != end && *found == column, ExcInternalError());
-    return found - begin;
-  }
-
-  template <int dim>
-  void
-  BlockMatrix<dim>::build_scatter()
-  {
-    scatter.resize(occupancy.locator.n_owned() * n_nodes * n_nodes);
-    for (const unsigned int cell : occupancy.active_cells())
-      {
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        std::uint16_t      *table = &scatter[cell * n_nodes * n_nodes];
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          for (unsigned int b = 0; b < n_nodes; ++b)
-            *table++ = position(nodes[a], nodes[b]);
-      }
-  }
-
-  template <int dim>
-  void
-  BlockMatrix<dim>::build_matrices()
-  {
-    const auto          &partitioner = *occupancy.scalar_partitioner();
-    const Epetra_MpiComm communicator(partitioner.get_mpi_communicator());
-    const unsigned int   n_own  = occupancy.n_own_nodes();
-    const unsigned int   n_all  = occupancy.n_local_nodes();
-    const bool           serial = communicator.NumProc() == 1;
-
-    const auto make_map = [&](const unsigned int n, const unsigned int c) {
-      std::vector<int> indices;
-      indices.reserve(n * c);
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int d = 0; d < c; ++d)
-          indices.push_back(partitioner.local_to_global(i) * c + d);
-      return Epetra_Map(-1, indices.size(), indices.data(), 0, communicator);
-    };
-    const Epetra_Map node_all      = make_map(n_all, 1),
-                     node_own      = make_map(n_own, 1);
-    const Epetra_Map component_all = make_map(n_all, dim),
-                     component_own = make_map(n_own, dim);
-    node_export = std::make_unique<Epetra_Export>(node_all, node_own);
-    component_export =
-      std::make_unique<Epetra_Export>(component_all, component_own);
-
-    std::vector<int> row;
-    for (unsigned int b = 0; b < (with_pressure ? 4 : 1); ++b)
-      {
-        const unsigned int n_r = b < 2 ? dim : 1, n_c = b % 2 == 0 ? dim : 1;
-        const Epetra_Map  &rows   = n_r == 1 ? node_all : component_all;
-        const Epetra_Map  &cols   = n_c == 1 ? node_all : component_all;
-        const Epetra_Map  &range  = n_r == 1 ? node_own : component_own;
-        const Epetra_Map  &domain = n_c == 1 ? node_own : component_own;
-        std::vector<int>   lengths;
-        for (unsigned int i = 0; i < n_all; ++i)
-          lengths.insert(lengths.end(),
-                         n_r,
-                         n_c * (row_begin[i + 1] - row_begin[i]));
-        Epetra_CrsGraph graph(Copy, rows, cols, lengths.data(), true);
-        for (unsigned int i = 0; i < n_all; ++i)
-          {
-            row.clear();
-            for (unsigned int k = row_begin[i]; k < row_begin[i + 1]; ++k)
-              for (unsigned int c = 0; c < n_c; ++c)
-                row.push_back(columns[k] * n_c + c);
-            for (unsigned int r = 0; r < n_r; ++r)
-              graph.InsertMyIndices(i * n_r + r, row.size(), row.data());
-          }
-        graph.FillComplete(domain, range);
-        graph.OptimizeStorage();
-        Matrices &matrices = blocks[b];
-        matrices.assembled = std::make_unique<Epetra_CrsMatrix>(Copy, graph);
-        matrices.assembled->FillComplete(domain, range);
-        int      *offsets, *indices;
-        const int error =
-          matrices.assembled->ExtractCrsDataPointers(offsets,
-                                                     indices,
-                                                     matrices.values);
-        AssertThrow(error == 0, ExcMessage("Trilinos storage is not packed"));
-        matrices.owned.reset();
-        if (!serial)
-          {
-            Epetra_CrsGraph own_graph(Copy, range, 0);
-            own_graph.Export(graph,
-                             n_r == 1 ? *node_export : *component_export,
-                             Insert);
-            own_graph.FillComplete(domain, range);
-            own_graph.OptimizeStorage();
-            matrices.owned =
-              std::make_unique<Epetra_CrsMatrix>(Copy, own_graph);
-            matrices.owned->FillComplete(domain, range);
-          }
-        matrices.system =
-          serial ? matrices.assembled.get() : matrices.owned.get();
-      }
+    const std::size_t n = pattern.n_entries();
+    displacement_columns.resize(n * dim * n_fields());
+    pressure_column.resize(with_pressure ? n * n_fields() : 0);
+    empty.assign(occupancy.n_own_nodes(), 0);
+    source.reinit(pattern.make_partitioner(n_fields()));
+    if (with_pressure)
+      pressure_source.reinit(pattern.make_partitioner(1));
   }
 
   template <int dim>
   void
   BlockMatrix<dim>::set_zero()
   {
-    for (unsigned int b = 0; b < (with_pressure ? 4 : 1); ++b)
-      blocks[b].assembled->PutScalar(0.);
+    std::fill(displacement_columns.begin(), displacement_columns.end(), 0.);
+    std::fill(pressure_column.begin(), pressure_column.end(), 0.);
   }
 
   template <int dim>
   void
   BlockMatrix<dim>::add_cell(const unsigned int cell, const CellData<dim> &data)
   {
-    const unsigned int  *nodes = occupancy.cell_nodes(cell);
-    const std::uint16_t *table = &scatter[cell * n_nodes * n_nodes];
-    unsigned int         fixed[n_nodes];
+    const unsigned int   n       = n_fields();
+    const unsigned int  *nodes   = occupancy.cell_nodes(cell);
+    const std::uint16_t *entries = pattern.cell_entries(cell);
+    double               free[dim][n_nodes]; // 0 where a wall fixes
     for (unsigned int a = 0; a < n_nodes; ++a)
-      fixed[a] = occupancy.fixed_components(nodes[a]);
+      for (unsigned int i = 0; i < dim; ++i)
+        free[i][a] = occupancy.fixed_components(nodes[a]) & (1u << i) ? 0. : 1.;
 
     for (unsigned int a = 0; a < n_nodes; ++a)
-      {
-        const unsigned int   begin  = row_begin[nodes[a]];
-        const unsigned int   length = row_begin[nodes[a] + 1] - begin;
-        const std::uint16_t *k      = table + a * n_nodes;
-        for (unsigned int i = 0; i < dim; ++i)
-          if (!(fixed[a] & (1u << i)))
+      for (unsigned int b = 0; b < n_nodes; ++b)
+        {
+          const std::size_t entry = pattern.row_begin(nodes[a]) + *entries++;
+          double           *to    = &displacement_columns[entry * dim * n];
+          for (unsigned int j = 0; j < dim; ++j, to += n)
             {
-              double *row =
-                blocks[uu].values + dim * (dim * begin + i * length);
-              for (unsigned int b = 0; b < n_nodes; ++b)
-                for (unsigned int j = 0; j < dim; ++j)
-                  if (!(fixed[b] & (1u << j)))
-                    row[dim * k[b] + j] += data.uu[i][j][a][b];
+              for (unsigned int i = 0; i < dim; ++i)
+                to[i] += free[i][a] * free[j][b] * data.uu[i][j][a][b];
+              if (with_pressure)
+                to[dim] += free[j][b] * data.pu[j][a][b];
             }
-        if (!with_pressure)
-          continue;
-        for (unsigned int i = 0; i < dim; ++i)
-          if (!(fixed[a] & (1u << i)))
+          if (with_pressure)
             {
-              double *row = blocks[up].values + dim * begin + i * length;
-              for (unsigned int b = 0; b < n_nodes; ++b)
-                row[k[b]] += data.up[i][a][b];
+              to = &pressure_column[entry * n];
+              for (unsigned int i = 0; i < dim; ++i)
+                to[i] += free[i][a] * data.up[i][a][b];
+              to[dim] += data.pp[a][b];
             }
-        double *pu_row = blocks[pu].values + dim * begin;
-        double *pp_row = blocks[pp].values + begin;
-        for (unsigned int b = 0; b < n_nodes; ++b)
-          {
-            for (unsigned int j = 0; j < dim; ++j)
-              if (!(fixed[b] & (1u << j)))
-                pu_row[dim * k[b] + j] += data.pu[j][a][b];
-            pp_row[k[b]] += data.pp[a][b];
-          }
-      }
+        }
   }
 
   template <int dim>
@@ -314,25 +79,22 @@ namespace seiche
                              const double                velocity_coefficient,
                              const double                pressure_coefficient)
   {
-    const unsigned int n = face.n_nodes;
-    for (unsigned int a = 0; a < n; ++a)
+    const unsigned int n = n_fields();
+    for (unsigned int a = 0; a < face.n_nodes; ++a)
       {
-        const unsigned int row    = face.nodes[a];
-        const unsigned int begin  = row_begin[row];
-        const unsigned int length = row_begin[row + 1] - begin;
-        const unsigned int fixed  = occupancy.fixed_components(row);
-        for (unsigned int b = 0; b < n; ++b)
+        const unsigned int fixed = occupancy.fixed_components(face.nodes[a]);
+        for (unsigned int b = 0; b < face.n_nodes; ++b)
           {
-            const unsigned int k = position(row, face.nodes[b]);
+            const std::size_t entry =
+              pattern.entry(face.nodes[a], face.nodes[b]);
             const unsigned int other =
               occupancy.fixed_components(face.nodes[b]);
             for (unsigned int i = 0; i < dim; ++i)
               if (!((fixed | other) & (1u << i)))
-                blocks[uu]
-                  .values[dim * (dim * begin + i * length) + dim * k + i] +=
+                displacement_columns[(entry * dim + i) * n + i] +=
                   velocity_coefficient * face.B[a][b];
             if (with_pressure)
-              blocks[pp].values[begin + k] +=
+              pressure_column[entry * n + dim] +=
                 pressure_coefficient * face.B[a][b];
           }
       }
@@ -342,30 +104,58 @@ namespace seiche
   void
   BlockMatrix<dim>::compress()
   {
-    for (unsigned int b = 0; b < (with_pressure ? 4 : 1); ++b)
+    pattern.add_to_owners(displacement_columns, dim * n_fields());
+    if (with_pressure)
+      pattern.add_to_owners(pressure_column, n_fields());
+    complete_diagonal();
+  }
+
+  template <int dim>
+  void
+  BlockMatrix<dim>::complete_diagonal()
+  {
+    const unsigned int  n = n_fields(), n_own = occupancy.n_own_nodes();
+    std::vector<double> largest(2, 0.); // displacement, pressure
+    for (unsigned int node = 0; node < n_own; ++node)
+      for (unsigned int i = 0; i < n; ++i)
+        largest[i / dim] = std::max(largest[i / dim], diagonal(node, i));
+    const MPI_Comm communicator =
+      occupancy.scalar_partitioner()->get_mpi_communicator();
+    Utilities::MPI::max(largest, communicator, largest);
+    for (double &value : largest)
+      if (value == 0.)
+        value = 1.;
+
+    for (unsigned int node = 0; node < n_own; ++node)
       {
-        Matrices &matrices = blocks[b];
-        if (matrices.owned)
-          {
-            matrices.owned->PutScalar(0.);
-            matrices.owned->Export(*matrices.assembled,
-                                   b < 2 ? *component_export : *node_export,
-                                   Add);
-          }
-        if (b == up || b == pu)
-          continue;
-        const int n_rows  = matrices.system->NumMyRows();
-        double    largest = 0., own_largest = 0.;
-        for (int i = 0; i < n_rows; ++i)
-          own_largest =
-            std::max(own_largest, diagonal_entry(*matrices.system, i));
-        matrices.system->Comm().MaxAll(&own_largest, &largest, 1);
+        const std::size_t entry    = pattern.diagonal_of(node);
+        unsigned int      replaced = 0;
+        for (unsigned int i = 0; i < dim; ++i)
+          if (double &d = displacement_columns[(entry * dim + i) * n + i];
+              d == 0.)
+            {
+              d = largest[0];
+              ++replaced;
+            }
         // an occupied node may have a zero diagonal in D (no subscales), a
-        // node of the halo has nothing at all
-        for (int i = 0; i < n_rows; ++i)
-          if (double &entry = diagonal_entry(*matrices.system, i);
-              entry == 0. && (b == uu || row_is_zero(*blocks[pu].system, i)))
-            entry = largest > 0. ? largest : 1.;
+        // node away from the fluid has nothing at all
+        const auto volume_row_is_zero = [&]() {
+          for (unsigned int k = pattern.row_begin(node);
+               k < pattern.row_begin(node + 1);
+               ++k)
+            for (unsigned int j = 0; j < dim; ++j)
+              if (value(k, dim, j) != 0.)
+                return false;
+          return true;
+        };
+        if (with_pressure)
+          if (double &d = pressure_column[entry * n + dim];
+              d == 0. && volume_row_is_zero())
+            {
+              d = largest[1];
+              ++replaced;
+            }
+        empty[node] = replaced == n;
       }
   }
 
@@ -373,27 +163,90 @@ namespace seiche
   void
   BlockMatrix<dim>::vmult(BlockVector &dst, const BlockVector &src) const
   {
-    const auto multiply =
-      [&](const Block                                       b,
-          LinearAlgebra::distributed::Vector<double>       &y,
-          const LinearAlgebra::distributed::Vector<double> &x) {
-        const Epetra_CrsMatrix &matrix = *blocks[b].system;
-        const Epetra_Vector     source(View,
-                                   matrix.DomainMap(),
-                                   const_cast<double *>(x.begin()));
-        Epetra_Vector           target(View, matrix.RangeMap(), y.begin());
-        matrix.Multiply(false, source, target);
-      };
-    multiply(uu, dst.block(0), src.block(0));
+    const unsigned int n = n_fields(), n_own = occupancy.n_own_nodes();
+    double            *to = source.begin();
+    const double      *u  = src.block(0).begin();
     if (with_pressure)
       {
-        scratch.reinit(dst, /*omit_zeroing=*/true);
-        multiply(up, scratch.block(0), src.block(1));
-        dst.block(0) += scratch.block(0);
-        multiply(pu, dst.block(1), src.block(0));
-        multiply(pp, scratch.block(1), src.block(1));
-        dst.block(1) += scratch.block(1);
+        const double *p = src.block(1).begin();
+        for (unsigned int node = 0; node < n_own; ++node)
+          {
+            for (unsigned int i = 0; i < dim; ++i)
+              *to++ = *u++;
+            *to++ = *p++;
+          }
       }
+    else
+      std::copy(u, u + n_own * n, to);
+    source.update_ghost_values();
+    if (with_pressure)
+      multiply<dim + 1>(dst);
+    else
+      multiply<dim>(dst);
+    source.zero_out_ghost_values();
+  }
+
+  template <int dim>
+  template <unsigned int n_rows>
+  void
+  BlockMatrix<dim>::multiply(BlockVector &dst) const
+  {
+    const double      *x     = source.begin();
+    double            *u     = dst.block(0).begin();
+    double            *p     = n_rows > dim ? dst.block(1).begin() : nullptr;
+    const unsigned int n_own = occupancy.n_own_nodes();
+    for (unsigned int node = 0; node < n_own; ++node)
+      {
+        double sum[n_rows] = {};
+        if (empty[node])
+          for (unsigned int r = 0; r < n_rows; ++r)
+            sum[r] = diagonal(node, r) * x[node * n_rows + r];
+        else
+          for (std::size_t k = pattern.row_begin(node);
+               k < pattern.row_begin(node + 1);
+               ++k)
+            {
+              const double *source_node = x + pattern.column_of(k) * n_rows;
+              const double *A = &displacement_columns[k * dim * n_rows];
+              for (unsigned int j = 0; j < dim; ++j)
+                for (unsigned int r = 0; r < n_rows; ++r)
+                  sum[r] += A[j * n_rows + r] * source_node[j];
+              if constexpr (n_rows > dim)
+                for (unsigned int r = 0; r < n_rows; ++r)
+                  sum[r] += pressure_column[k * n_rows + r] * source_node[dim];
+            }
+        for (unsigned int i = 0; i < dim; ++i)
+          *u++ = sum[i];
+        if constexpr (n_rows > dim)
+          *p++ = sum[dim];
+      }
+  }
+
+  template <int dim>
+  void
+  BlockMatrix<dim>::gradient(Vector &force, const Vector &pressure) const
+  {
+    constexpr unsigned int n     = dim + 1;
+    const unsigned int     n_own = occupancy.n_own_nodes();
+    std::copy(pressure.begin(),
+              pressure.begin() + n_own,
+              pressure_source.begin());
+    pressure_source.update_ghost_values();
+    const double *x = pressure_source.begin();
+    double       *u = force.begin();
+    for (unsigned int node = 0; node < n_own; ++node)
+      {
+        double sum[n] = {};
+        if (!empty[node])
+          for (std::size_t k = pattern.row_begin(node);
+               k < pattern.row_begin(node + 1);
+               ++k)
+            for (unsigned int r = 0; r < n; ++r)
+              sum[r] += pressure_column[k * n + r] * x[pattern.column_of(k)];
+        for (unsigned int i = 0; i < dim; ++i)
+          *u++ = sum[i];
+      }
+    pressure_source.zero_out_ghost_values();
   }
 
   template class BlockMatrix<2>;

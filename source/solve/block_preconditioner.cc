@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/block_preconditioner.h>
+#include <seiche/solve/epetra_copy.h>
 
 #include <EpetraExt_MatrixMatrix.h>
 #include <Epetra_Vector.h>
@@ -12,16 +13,8 @@ namespace seiche
 
   namespace
   {
-    /// Chebyshev sweeps on the velocity block: the interval of D^-1 A is
-    /// [largest/ratio, largest] with Gershgorin's bound for the largest.
-    constexpr unsigned int chebyshev_degree = 2;
-    constexpr double       chebyshev_ratio  = 12.;
-
     /// Above this ratio of stiffness to inertia A is no mass matrix any more.
     constexpr double mass_dominated_below = 4.;
-
-    /// A solve with more iterations than this calls for ILU(0) in 3D too.
-    constexpr unsigned int slow_solve = 30;
 
     /// Factors of the diagonal before ILU(0), tried in this order: the ghost
     /// penalty is no M-matrix, and without a stronger diagonal the factors of
@@ -32,27 +25,6 @@ namespace seiche
 
     /// A shift that makes the singular Laplacian of a closed box definite.
     constexpr double closed_shift = 1e-7;
-
-    /// Largest row sum of |D^-1 A|.
-    double
-    gershgorin_bound(const Epetra_CrsMatrix &matrix)
-    {
-      double local = 0.;
-      for (int i = 0; i < matrix.NumMyRows(); ++i)
-        {
-          int     n;
-          double *values;
-          int    *columns;
-          matrix.ExtractMyRowView(i, n, values, columns);
-          double sum = 0.;
-          for (int k = 0; k < n; ++k)
-            sum += std::abs(values[k]);
-          local = std::max(local, sum / std::abs(diagonal_entry(matrix, i)));
-        }
-      double global = 0.;
-      matrix.Comm().MaxAll(&local, &global, 1);
-      return global;
-    }
   } // namespace
 
   template <int dim>
@@ -61,14 +33,6 @@ namespace seiche
   {
     schur_amg.reset();
     velocity_generation = 0;
-  }
-
-  template <int dim>
-  void
-  BlockPreconditioner<dim>::report(const unsigned int iterations)
-  {
-    if (iterations > slow_solve)
-      use_ilu = true;
   }
 
   template <int dim>
@@ -110,20 +74,12 @@ namespace seiche
                                                 const double inertia)
   {
     velocity_factor = 1.;
-    if (stiffness < mass_dominated_below && !use_ilu)
-      {
-        ilu.reset();
-        velocity_amg.reset();
-        make_chebyshev(); // cheap: nothing to keep
-        return;
-      }
     if (velocity_generation == matrix->generation() &&
         (velocity_amg != nullptr) == (stiffness >= mass_dominated_below))
       {
         velocity_factor = velocity_inertia / inertia;
         return;
       }
-    chebyshev.reset();
     ilu.reset();
     velocity_amg.reset();
     if (stiffness < mass_dominated_below)
@@ -136,33 +92,16 @@ namespace seiche
 
   template <int dim>
   void
-  BlockPreconditioner<dim>::make_chebyshev()
-  {
-    const Epetra_CrsMatrix &A = matrix->block(BlockMatrix<dim>::uu);
-    chebyshev                 = std::make_unique<Ifpack_Chebyshev>(&A);
-    Teuchos::ParameterList list;
-    const double           largest = gershgorin_bound(A);
-    list.set("chebyshev: degree", static_cast<int>(chebyshev_degree));
-    list.set("chebyshev: max eigenvalue", largest);
-    list.set("chebyshev: ratio eigenvalue", chebyshev_ratio);
-    list.set("chebyshev: min eigenvalue", largest / chebyshev_ratio);
-    list.set("chebyshev: zero starting solution", true);
-    chebyshev->SetParameters(list);
-    chebyshev->Initialize();
-    chebyshev->Compute();
-  }
-
-  template <int dim>
-  void
   BlockPreconditioner<dim>::make_ilu()
   {
-    const Epetra_CrsMatrix &A = matrix->block(BlockMatrix<dim>::uu);
-    Epetra_Vector           diagonal(A.RowMap()), result(A.RowMap());
-    A.ExtractDiagonalCopy(diagonal);
+    ilu_matrix            = mean_component(*matrix);
+    const Epetra_Map &map = ilu_matrix->RowMap();
+    Epetra_Vector     diagonal(map), result(map);
+    for (int i = 0; i < diagonal.MyLength(); ++i)
+      diagonal[i] = diagonal_entry(*ilu_matrix, i);
     for (const double factor : ilu_diagonal_factors)
       {
-        // Ifpack's interface wants a matrix that it may change, but does not
-        ilu = std::make_unique<Ifpack_ILU>(const_cast<Epetra_CrsMatrix *>(&A));
+        ilu = std::make_unique<Ifpack_ILU>(ilu_matrix.get());
         Teuchos::ParameterList list;
         list.set("fact: level-of-fill", 0);
         list.set("fact: relative threshold", factor);
@@ -173,27 +112,27 @@ namespace seiche
         double largest = 0.;
         result.NormInf(&largest);
         if (largest < ilu_unstable_above)
-          return;
+          break;
       }
-    ilu.reset();
-    make_chebyshev();
+    components = std::make_unique<Epetra_MultiVector>(map, dim);
   }
 
   template <int dim>
   void
   BlockPreconditioner<dim>::make_velocity_amg()
   {
-    const Epetra_CrsMatrix &A = matrix->block(BlockMatrix<dim>::uu);
+    const FieldRange displacement = {0, dim};
+    velocity_matrix = epetra_copy(*matrix, displacement, displacement);
     TrilinosWrappers::PreconditionAMG::AdditionalData data;
     data.elliptic              = true;
     data.smoother_sweeps       = 2;
     data.aggregation_threshold = 1e-4;
-    const unsigned int n       = A.NumMyRows();
+    const unsigned int n       = velocity_matrix->NumMyRows();
     data.constant_modes.assign(dim, std::vector<bool>(n, false));
     for (unsigned int i = 0; i < n; ++i)
       data.constant_modes[i % dim][i] = true;
     velocity_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
-    velocity_amg->initialize(A, data);
+    velocity_amg->initialize(*velocity_matrix, data);
   }
 
   template <int dim>
@@ -204,8 +143,8 @@ namespace seiche
     const StepCoefficients        &c = assembler.coefficients();
     const StabilizationParameters &stabilization =
       assembler.formulation.stabilization;
-    const Epetra_CrsMatrix &D = matrix->block(BlockMatrix<dim>::pp);
-    const bool              scaled_block =
+    const FieldRange displacement = {0, dim}, pressure = {dim, 1};
+    const bool       scaled_block =
       stabilization.is_active() && stabilization.tau_is_uniform();
     // the hierarchy belongs to L/rho = D/(rho tau1); S = (L/rho)/C_a
     const double tau1 =
@@ -218,23 +157,26 @@ namespace seiche
 
     if (scaled_block)
       {
-        schur = std::make_unique<Epetra_CrsMatrix>(D);
-        schur->Scale(1. / (material.density * tau1));
+        schur = epetra_copy(*matrix,
+                            pressure,
+                            pressure,
+                            1. / (material.density * tau1));
         add_surface_term(c.inertia);
       }
     else
       {
-        Epetra_Vector diagonal(matrix->block(BlockMatrix<dim>::uu).RowMap());
-        matrix->block(BlockMatrix<dim>::uu).ExtractDiagonalCopy(diagonal);
-        diagonal.Reciprocal(diagonal);
-        Epetra_CrsMatrix G(matrix->block(BlockMatrix<dim>::up));
-        G.LeftScale(diagonal);
-        auto product = std::make_unique<Epetra_CrsMatrix>(Copy, D.RowMap(), 0);
-        EpetraExt::MatrixMatrix::Multiply(
-          matrix->block(BlockMatrix<dim>::pu), false, G, false, *product);
-        schur = std::make_unique<Epetra_CrsMatrix>(Copy, D.RowMap(), 0);
+        const auto    D = epetra_copy(*matrix, pressure, pressure);
+        const auto    C = epetra_copy(*matrix, pressure, displacement);
+        const auto    G = epetra_copy(*matrix, displacement, pressure);
+        Epetra_Vector scale(G->RowMap());
+        for (int i = 0; i < scale.MyLength(); ++i)
+          scale[i] = 1. / matrix->diagonal(i / dim, i % dim);
+        G->LeftScale(scale);
+        Epetra_CrsMatrix product(Copy, D->RowMap(), 0);
+        EpetraExt::MatrixMatrix::Multiply(*C, false, *G, false, product);
+        schur = std::make_unique<Epetra_CrsMatrix>(Copy, D->RowMap(), 0);
         Epetra_CrsMatrix *sum = schur.get();
-        EpetraExt::MatrixMatrix::Add(D, false, 1., *product, false, -1., sum);
+        EpetraExt::MatrixMatrix::Add(*D, false, 1., product, false, -1., sum);
         schur->FillComplete();
       }
     if (closed)
@@ -255,37 +197,57 @@ namespace seiche
   void
   BlockPreconditioner<dim>::add_surface_term(const double factor)
   {
-    const Epetra_CrsMatrix &A = matrix->block(BlockMatrix<dim>::uu);
-    const Epetra_CrsMatrix &G = matrix->block(BlockMatrix<dim>::up);
-    const Epetra_CrsMatrix &C = matrix->block(BlockMatrix<dim>::pu);
-    Epetra_Vector           ones(G.DomainMap()), force(G.RangeMap());
-    Epetra_Vector           flux(C.RangeMap());
-    ones.PutScalar(1.);
-    G.Multiply(false, ones, force);
-    for (int i = 0; i < force.MyLength(); ++i)
-      force[i] /= diagonal_entry(A, i);
-    C.Multiply(false, force, flux);
-    for (int i = 0; i < flux.MyLength(); ++i)
-      diagonal_entry(*schur, i) += factor * std::max(0., -flux[i]);
+    BlockVector x(2), y(2);
+    x.block(0).reinit(matrix->occupancy.vector_partitioner());
+    x.block(1).reinit(matrix->occupancy.scalar_partitioner());
+    x.collect_sizes();
+    y.reinit(x);
+    for (double &value : x.block(1))
+      value = 1.;
+    matrix->gradient(x.block(0), x.block(1));
+    x.block(1)               = 0.;
+    const unsigned int n_own = matrix->occupancy.n_own_nodes();
+    for (unsigned int node = 0; node < n_own; ++node)
+      for (unsigned int i = 0; i < dim; ++i)
+        x.block(0).local_element(node * dim + i) /= matrix->diagonal(node, i);
+    matrix->vmult(y, x);
+    for (unsigned int node = 0; node < n_own; ++node)
+      diagonal_entry(*schur, node) +=
+        factor * std::max(0., -y.block(1).local_element(node));
+  }
+
+  template <int dim>
+  void
+  BlockPreconditioner<dim>::apply_to_velocity(Vector &z, const Vector &r) const
+  {
+    if (velocity_amg)
+      velocity_amg->vmult(z, r);
+    else
+      {
+        const Occupancy<dim> &grid  = matrix->occupancy;
+        const unsigned int    n_own = grid.n_own_nodes();
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int node = 0; node < n_own; ++node)
+            (*components)[i][node] = r.local_element(node * dim + i);
+        ilu->ApplyInverse(*components, *components);
+        for (unsigned int node = 0; node < n_own; ++node)
+          {
+            const unsigned int fixed = grid.fixed_components(node);
+            for (unsigned int i = 0; i < dim; ++i)
+              z.local_element(node * dim + i) =
+                fixed & (1u << i) ?
+                  r.local_element(node * dim + i) / matrix->diagonal(node, i) :
+                  (*components)[i][node];
+          }
+      }
+    if (velocity_factor != 1.)
+      z *= velocity_factor;
   }
 
   template <int dim>
   void
   BlockPreconditioner<dim>::vmult(BlockVector &z, const BlockVector &r) const
   {
-    const auto apply_to_velocity = [&](Vector &dst, const Vector &src) {
-      const Epetra_Map   &map = matrix->block(BlockMatrix<dim>::uu).RowMap();
-      const Epetra_Vector source(View, map, const_cast<double *>(src.begin()));
-      Epetra_Vector       target(View, map, dst.begin());
-      if (velocity_amg)
-        velocity_amg->vmult(dst, src);
-      else if (ilu)
-        ilu->ApplyInverse(source, target);
-      else
-        chebyshev->ApplyInverse(source, target);
-      if (velocity_factor != 1.)
-        dst *= velocity_factor;
-    };
     if (!matrix->has_pressure())
       {
         apply_to_velocity(z.block(0), r.block(0));
@@ -308,10 +270,7 @@ namespace seiche
       z.block(1).add(-z.block(1).mean_value());
 
     scratch_u.reinit(r.block(0), /*omit_zeroing=*/true);
-    const Epetra_CrsMatrix &G = matrix->block(BlockMatrix<dim>::up);
-    const Epetra_Vector     pressure(View, G.DomainMap(), z.block(1).begin());
-    Epetra_Vector           force(View, G.RangeMap(), scratch_u.begin());
-    G.Multiply(false, pressure, force);
+    matrix->gradient(scratch_u, z.block(1));
     scratch_u.sadd(-1., 1., r.block(0));
     apply_to_velocity(z.block(0), scratch_u);
   }

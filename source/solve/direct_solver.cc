@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/direct_solver.h>
+#include <seiche/solve/epetra_copy.h>
 
 #include <Amesos.h>
 #include <Epetra_LinearProblem.h>
@@ -9,43 +10,6 @@ namespace seiche
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// Rows and columns of all blocks in one map: velocity first.
-    std::vector<int>
-    global_ids(const Epetra_Map &map, const int offset)
-    {
-      std::vector<int> ids(map.MyGlobalElements(),
-                           map.MyGlobalElements() + map.NumMyElements());
-      for (int &id : ids)
-        id += offset;
-      return ids;
-    }
-
-    void
-    append_block(const Epetra_CrsMatrix &block,
-                 const int               row_offset,
-                 const int               column_offset,
-                 Epetra_CrsMatrix       &monolithic)
-    {
-      std::vector<int> columns;
-      for (int i = 0; i < block.NumMyRows(); ++i)
-        {
-          int     n;
-          double *values;
-          int    *indices;
-          block.ExtractMyRowView(i, n, values, indices);
-          columns.resize(n);
-          for (int k = 0; k < n; ++k)
-            columns[k] = block.GCID(indices[k]) + column_offset;
-          monolithic.InsertGlobalValues(block.GRID(i) + row_offset,
-                                        n,
-                                        values,
-                                        columns.data());
-        }
-    }
-  } // namespace
-
   template <int dim>
   bool
   solve_directly(const BlockMatrix<dim>                       &matrix,
@@ -53,49 +17,25 @@ namespace seiche
                  typename BlockMatrix<dim>::BlockVector       &solution,
                  const typename BlockMatrix<dim>::BlockVector &right_hand_side)
   {
-    using Matrix                = BlockMatrix<dim>;
-    const Epetra_CrsMatrix &A   = matrix.block(Matrix::uu);
-    const int               n_u = A.NumGlobalRows();
-    std::vector<int>        ids = global_ids(A.RowMap(), 0);
-    if (matrix.has_pressure())
-      {
-        const auto more = global_ids(matrix.block(Matrix::pp).RowMap(), n_u);
-        ids.insert(ids.end(), more.begin(), more.end());
-      }
-    const Epetra_Map map(-1, ids.size(), ids.data(), 0, A.Comm());
-    Epetra_CrsMatrix monolithic(Copy, map, 0);
-    append_block(A, 0, 0, monolithic);
-    if (matrix.has_pressure())
-      {
-        append_block(matrix.block(Matrix::up), 0, n_u, monolithic);
-        append_block(matrix.block(Matrix::pu), n_u, 0, monolithic);
-        append_block(matrix.block(Matrix::pp), n_u, n_u, monolithic);
-      }
-    monolithic.FillComplete();
-    if (closed && map.MyGID(n_u))
-      {
-        const int           pinned = n_u;
-        double              value;
-        int                 n, index;
-        std::vector<double> values(monolithic.NumGlobalEntries(pinned));
-        std::vector<int>    indices(values.size());
-        monolithic.ExtractGlobalRowCopy(
-          pinned, values.size(), n, values.data(), indices.data());
-        index =
-          std::find(indices.begin(), indices.end(), pinned) - indices.begin();
-        value = 2. * values[index];
-        monolithic.ReplaceGlobalValues(pinned, 1, &value, &pinned);
-      }
+    const unsigned int n_fields = matrix.n_fields();
+    const FieldRange   all      = {0, n_fields};
+    const auto         system   = epetra_copy(matrix, all, all);
+    const Epetra_Map  &map      = system->RowMap();
+    if (closed && map.MyGID(static_cast<int>(dim)))
+      diagonal_entry(*system, map.LID(static_cast<int>(dim))) *= 2.;
 
+    // entry i of a block: which row of the system
+    const auto row = [&](const unsigned int block, const unsigned int i) {
+      return block == 0 ? i / dim * n_fields + i % dim : i * n_fields + dim;
+    };
     Epetra_Vector x(map), b(map);
-    std::size_t   k = 0;
     for (unsigned int block = 0; block < right_hand_side.n_blocks(); ++block)
       for (unsigned int i = 0;
            i < right_hand_side.block(block).locally_owned_size();
            ++i)
-        b[k++] = right_hand_side.block(block).local_element(i);
+        b[row(block, i)] = right_hand_side.block(block).local_element(i);
 
-    Epetra_LinearProblem                     problem(&monolithic, &x, &b);
+    Epetra_LinearProblem                     problem(system.get(), &x, &b);
     const std::unique_ptr<Amesos_BaseSolver> solver(
       Amesos().Create("Amesos_Klu", problem));
     const bool success = solver->SymbolicFactorization() == 0 &&
@@ -103,11 +43,10 @@ namespace seiche
                          solver->Solve() == 0;
     double norm = 0.;
     x.Norm2(&norm);
-    k = 0;
     for (unsigned int block = 0; block < solution.n_blocks(); ++block)
       for (unsigned int i = 0; i < solution.block(block).locally_owned_size();
            ++i)
-        solution.block(block).local_element(i) = x[k++];
+        solution.block(block).local_element(i) = x[row(block, i)];
     return success && std::isfinite(norm);
   }
 

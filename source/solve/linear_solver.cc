@@ -177,7 +177,6 @@ namespace seiche
         result.reduction = rest.l2_norm() / scaled.l2_norm();
       }
     result.iterations = control.last_step();
-    preconditioner.report(result.iterations);
     return result;
   }
 

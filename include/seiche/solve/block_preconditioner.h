@@ -7,7 +7,8 @@
 
 #include <deal.II/lac/trilinos_precondition.h>
 
-#include <Ifpack_Chebyshev.h>
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_MultiVector.h>
 #include <Ifpack_ILU.h>
 
 #include <memory>
@@ -21,11 +22,10 @@ namespace seiche
    * complement D - C A^-1 G: with subscales it is Laplacian-like,
    * S = D/(rho C_a tau1), so that one scalar ML hierarchy serves; without
    * them it is formed with diag(A). P_A: where A is close to a mass matrix,
-   * Chebyshev sweeps in 3D and ILU(0) in 2D, where it is cheap (and in 3D
-   * after a slow solve: the ghost penalty outweighs the mass of spray, which
-   * sweeps do not see); ML with the components' constants where viscosity,
-   * tau2 or the bulk modulus dominate. Viscous fluids add 2 mu c_r/M_p to S^-1
-   * (Cahouet and Chabard 1988). (doc/theory.md, "Linear systems")
+   * ILU(0) of one scalar matrix for all components (epetra_copy.h); ML with
+   * the components' constants where viscosity, tau2 or the bulk modulus
+   * dominate. Viscous fluids add 2 mu c_r/M_p to S^-1 (Cahouet and Chabard
+   * 1988). (doc/theory.md, "Linear systems")
    */
   template <int dim>
   class BlockPreconditioner
@@ -51,10 +51,6 @@ namespace seiche
     void
     reset();
 
-    /// Iterations of the last solve: a slow one changes P_A of the next.
-    void
-    report(const unsigned int iterations);
-
     void
     vmult(BlockVector &z, const BlockVector &r) const;
 
@@ -64,8 +60,6 @@ namespace seiche
   private:
     void
     initialize_velocity(const double stiffness, const double inertia);
-    void
-    make_chebyshev();
     void
     make_ilu();
     void
@@ -83,12 +77,16 @@ namespace seiche
     const BlockMatrix<dim> *matrix = nullptr;
     bool                    closed = false; ///< pressure up to a constant
 
-    // at most one of the three
-    std::unique_ptr<Ifpack_Chebyshev>                          chebyshev;
+    void
+    apply_to_velocity(Vector &z, const Vector &r) const;
+
+    // one of the two
+    std::unique_ptr<Epetra_CrsMatrix>                          ilu_matrix;
     std::unique_ptr<Ifpack_ILU>                                ilu;
+    std::unique_ptr<Epetra_CrsMatrix>                          velocity_matrix;
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> velocity_amg;
 
-    bool         use_ilu             = dim == 2;
+    mutable std::unique_ptr<Epetra_MultiVector> components; ///< for ilu
     unsigned int velocity_generation = 0;  ///< pattern of the factors
     double       velocity_inertia    = 0.; ///< C_a that they belong to
     double       velocity_factor     = 1.;

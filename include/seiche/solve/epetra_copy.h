@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_solve_epetra_copy_h
+#define seiche_solve_epetra_copy_h
+
+#include <seiche/solve/block_matrix.h>
+
+#include <Epetra_CrsMatrix.h>
+
+#include <memory>
+
+namespace seiche
+{
+  /// Some of the fields of each node (BlockMatrix): [first, first + n).
+  struct FieldRange
+  {
+    unsigned int first, n;
+  };
+
+  /// Part of the matrix for Trilinos' solvers, times a factor; row and column
+  /// n*node + field. Zeros other than on the diagonal are left out, so that
+  /// nodes away from the fluid cost nothing. Collective.
+  template <int dim>
+  std::unique_ptr<Epetra_CrsMatrix>
+  epetra_copy(const BlockMatrix<dim> &matrix,
+              const FieldRange        rows,
+              const FieldRange        columns,
+              const double            factor = 1.);
+
+  /// One scalar matrix for all components of the displacement, without
+  /// couplings to other ranks (its communicator is this rank alone): the mean
+  /// of the diagonal blocks A_ii over the components that no wall fixes. The
+  /// inertia and the ghost penalty are the same in all of them. Local.
+  template <int dim>
+  std::unique_ptr<Epetra_CrsMatrix>
+  mean_component(const BlockMatrix<dim> &matrix);
+
+  /// Diagonal entry of an own row of a square block. (Epetra keeps own columns
+  /// first and in the order of the rows, so that both have one local index; its
+  /// ExtractDiagonalCopy searches global indices, which took 9 % of a 3D step.)
+  double &
+  diagonal_entry(const Epetra_CrsMatrix &matrix, const int row);
+} // namespace seiche
+
+#endif

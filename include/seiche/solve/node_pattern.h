@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_solve_node_pattern_h
+#define seiche_solve_node_pattern_h
+
+#include <seiche/grid/fill.h>
+#include <seiche/utilities/shape_functions.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief Which nodes are coupled: compressed rows, and how ranks add them up.
+   *
+   * Rows are the own and ghost nodes of the compact numbering (Occupancy).
+   * Columns are own nodes, then all others that a row couples with, in the
+   * order of columns(). A pattern lives for the active cells and the faces
+   * near the surface, until the numbering changes or a ghost face outside it
+   * appears. Each rank assembles into rows of own and of ghost nodes;
+   * add_to_owners() sends the latter, which are stored by owner, away as they
+   * lie. (A rank's own rows know the columns of all ranks.)
+   */
+  template <int dim>
+  class NodePattern
+  {
+  public:
+    static constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
+
+    /// The reference must outlive the pattern.
+    explicit NodePattern(const Occupancy<dim> &occupancy);
+
+    /// Adapt to occupancy and ghost faces if need be; true if it changed.
+    /// Collective.
+    bool
+    reinit(const Fill<dim> &fill);
+
+    /// Entries of a row: [row_begin(i), row_begin(i + 1)).
+    unsigned int
+    row_begin(const unsigned int row) const
+    {
+      return begin_of_row[row];
+    }
+
+    /// Entries of own rows come first.
+    unsigned int
+    n_own_entries() const
+    {
+      return begin_of_row[occupancy.n_own_nodes()];
+    }
+    unsigned int
+    n_entries() const
+    {
+      return column.size();
+    }
+
+    /// Column of an entry; ascending within a row.
+    unsigned int
+    column_of(const unsigned int entry) const
+    {
+      return column[entry];
+    }
+
+    /// Entry on the diagonal of an own row.
+    unsigned int
+    diagonal_of(const unsigned int row) const
+    {
+      return diagonal[row];
+    }
+
+    /// Entry of the pair of local nodes, which must be coupled.
+    unsigned int
+    entry(const unsigned int row_node, const unsigned int column_node) const;
+
+    /// [a][b]: entry of nodes a and b of an own active cell, counted from the
+    /// first of row a.
+    const std::uint16_t *
+    cell_entries(const unsigned int cell) const
+    {
+      return &scatter[cell * n_nodes * n_nodes];
+    }
+
+    /// Layout of a vector over the columns with @p components entries a node.
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+    make_partitioner(const unsigned int components) const;
+
+    /// Global node of each column.
+    dealii::types::global_dof_index
+    global_column(const unsigned int index) const
+    {
+      return columns->local_to_global(index);
+    }
+    unsigned int
+    n_columns() const
+    {
+      return columns->locally_owned_size() + columns->n_ghost_indices();
+    }
+
+    /// Add ghost rows, @p size numbers an entry, to their owners'. Collective.
+    void
+    add_to_owners(std::vector<double> &values, const unsigned int size) const;
+
+    const Occupancy<dim> &occupancy;
+
+  private:
+    /// Rows of one rank that another assembles: sent or received as one run.
+    struct Exchange
+    {
+      unsigned int              rank;
+      unsigned int              begin, end; ///< entries sent
+      std::vector<unsigned int> entries;    ///< where the received are added
+    };
+
+    bool
+    covers(const std::vector<GhostFace> &faces) const;
+
+    /// Number of a face, from the finer of its cells.
+    std::size_t
+    face_index(const unsigned int lower,
+               const unsigned int upper,
+               const unsigned int direction) const;
+
+    /// Coupled nodes of each local node, from the cells and faces of this
+    /// rank, in the local numbering. Local.
+    void
+    collect_couplings(const Fill<dim> &fill);
+
+    /// From local to column numbers, with what other ranks couple. Collective.
+    void
+    exchange_couplings();
+
+    void
+    build_tables();
+
+    unsigned int               numbering_generation = 0;
+    std::vector<unsigned int>  begin_of_row; // [n_local_nodes + 1]
+    std::vector<unsigned int>  column;
+    std::vector<unsigned int>  diagonal;       // [n_own_nodes]
+    std::vector<unsigned int>  column_of_node; // [n_local_nodes]
+    std::vector<std::uint16_t> scatter;        // [cell][a][b]
+    std::vector<char>          covered_faces;  // by face_index()
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> columns;
+    std::vector<Exchange>                                      sent, received;
+  };
+} // namespace seiche
+
+#endif
