@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/block_matrix.h>
+#include <seiche/utilities/register.h>
 
 #include <algorithm>
 
@@ -191,6 +192,8 @@ namespace seiche
   void
   BlockMatrix<dim>::multiply(BlockVector &dst) const
   {
+    using Lanes              = Register<n_rows>;
+    using Rows               = typename Lanes::Doubles;
     const double      *x     = source.begin();
     double            *u     = dst.block(0).begin();
     double            *p     = n_rows > dim ? dst.block(1).begin() : nullptr;
@@ -202,19 +205,26 @@ namespace seiche
           for (unsigned int r = 0; r < n_rows; ++r)
             sum[r] = diagonal(node, r) * x[node * n_rows + r];
         else
-          for (std::size_t k = pattern.row_begin(node);
-               k < pattern.row_begin(node + 1);
-               ++k)
-            {
-              const double *source_node = x + pattern.column_of(k) * n_rows;
-              const double *A = &displacement_columns[k * dim * n_rows];
-              for (unsigned int j = 0; j < dim; ++j)
-                for (unsigned int r = 0; r < n_rows; ++r)
-                  sum[r] += A[j * n_rows + r] * source_node[j];
-              if constexpr (n_rows > dim)
-                for (unsigned int r = 0; r < n_rows; ++r)
-                  sum[r] += pressure_column[k * n_rows + r] * source_node[dim];
-            }
+          {
+            // one sum for each column: additions need not wait for each other
+            Rows parts[n_rows] = {};
+            for (std::size_t k = pattern.row_begin(node);
+                 k < pattern.row_begin(node + 1);
+                 ++k)
+              {
+                const double *source_node = x + pattern.column_of(k) * n_rows;
+                const double *A = &displacement_columns[k * dim * n_rows];
+                for (unsigned int j = 0; j < dim; ++j)
+                  parts[j] += Lanes::load(A + j * n_rows) * source_node[j];
+                if constexpr (n_rows > dim)
+                  parts[dim] += Lanes::load(&pressure_column[k * n_rows]) *
+                                source_node[dim];
+              }
+            for (unsigned int j = 1; j < n_rows; ++j)
+              parts[0] += parts[j];
+            for (unsigned int r = 0; r < n_rows; ++r)
+              sum[r] = parts[0][r];
+          }
         for (unsigned int i = 0; i < dim; ++i)
           *u++ = sum[i];
         if constexpr (n_rows > dim)

@@ -94,27 +94,13 @@ namespace seiche
   void
   BlockPreconditioner<dim>::make_ilu()
   {
-    ilu_matrix            = mean_component(*matrix);
-    const Epetra_Map &map = ilu_matrix->RowMap();
-    Epetra_Vector     diagonal(map), result(map);
-    for (int i = 0; i < diagonal.MyLength(); ++i)
-      diagonal[i] = diagonal_entry(*ilu_matrix, i);
     for (const double factor : ilu_diagonal_factors)
       {
-        ilu = std::make_unique<Ifpack_ILU>(ilu_matrix.get());
-        Teuchos::ParameterList list;
-        list.set("fact: level-of-fill", 0);
-        list.set("fact: relative threshold", factor);
-        ilu->SetParameters(list);
-        ilu->Initialize();
-        ilu->Compute();
-        ilu->ApplyInverse(diagonal, result);
-        double largest = 0.;
-        result.NormInf(&largest);
-        if (largest < ilu_unstable_above)
-          break;
+        ilu = std::make_unique<BlockILU<dim>>();
+        ilu->initialize(*matrix, factor);
+        if (ilu->growth(*matrix) < ilu_unstable_above)
+          return;
       }
-    components = std::make_unique<Epetra_MultiVector>(map, dim);
   }
 
   template <int dim>
@@ -223,23 +209,7 @@ namespace seiche
     if (velocity_amg)
       velocity_amg->vmult(z, r);
     else
-      {
-        const Occupancy<dim> &grid  = matrix->occupancy;
-        const unsigned int    n_own = grid.n_own_nodes();
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int node = 0; node < n_own; ++node)
-            (*components)[i][node] = r.local_element(node * dim + i);
-        ilu->ApplyInverse(*components, *components);
-        for (unsigned int node = 0; node < n_own; ++node)
-          {
-            const unsigned int fixed = grid.fixed_components(node);
-            for (unsigned int i = 0; i < dim; ++i)
-              z.local_element(node * dim + i) =
-                fixed & (1u << i) ?
-                  r.local_element(node * dim + i) / matrix->diagonal(node, i) :
-                  (*components)[i][node];
-          }
-      }
+      ilu->vmult(z, r);
     if (velocity_factor != 1.)
       z *= velocity_factor;
   }

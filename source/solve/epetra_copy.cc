@@ -2,44 +2,10 @@
 #include <seiche/solve/epetra_copy.h>
 
 #include <Epetra_MpiComm.h>
-#include <Epetra_SerialComm.h>
-
-#include <numeric>
 
 namespace seiche
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// Fill a matrix row by row: f(row, indices, values) appends.
-    template <typename Function>
-    std::unique_ptr<Epetra_CrsMatrix>
-    make_matrix(const Epetra_Map      &row_map,
-                const Epetra_Map      &column_map,
-                const Epetra_Map      &domain_map,
-                const std::vector<int> lengths,
-                const Function        &f)
-    {
-      auto result = std::make_unique<Epetra_CrsMatrix>(
-        Copy, row_map, column_map, lengths.data(), /*StaticProfile=*/true);
-      std::vector<int>    indices;
-      std::vector<double> values;
-      for (int row = 0; row < row_map.NumMyElements(); ++row)
-        {
-          indices.clear();
-          values.clear();
-          f(row, indices, values);
-          result->InsertMyValues(row,
-                                 indices.size(),
-                                 values.data(),
-                                 indices.data());
-        }
-      result->FillComplete(domain_map, row_map);
-      result->OptimizeStorage();
-      return result;
-    }
-  } // namespace
 
   template <int dim>
   std::unique_ptr<Epetra_CrsMatrix>
@@ -88,77 +54,31 @@ namespace seiche
     std::vector<int> lengths(n_own * rows.n, 0);
     for (unsigned int row = 0; row < lengths.size(); ++row)
       for_each_entry(row, [&](const int, const double) { ++lengths[row]; });
-    return make_matrix(make_map(n_own, rows.n),
-                       make_map(pattern.n_columns(), columns.n),
-                       make_map(n_own, columns.n),
-                       lengths,
-                       [&](const int            row,
-                           std::vector<int>    &indices,
-                           std::vector<double> &values) {
-                         for_each_entry(row,
-                                        [&](const int column, const double v) {
-                                          indices.push_back(column);
-                                          values.push_back(v);
-                                        });
-                       });
-  }
-
-  template <int dim>
-  std::unique_ptr<Epetra_CrsMatrix>
-  mean_component(const BlockMatrix<dim> &matrix)
-  {
-    const NodePattern<dim> &pattern = matrix.sparsity();
-    const Occupancy<dim>   &grid    = matrix.occupancy;
-    const unsigned int      n_own   = grid.n_own_nodes();
-    const Epetra_Map map(static_cast<int>(n_own), 0, Epetra_SerialComm());
-    std::vector<int> lengths(n_own);
-    for (unsigned int i = 0; i < n_own; ++i)
-      lengths[i] = matrix.is_empty(i) ?
-                     1 :
-                     pattern.row_begin(i + 1) - pattern.row_begin(i);
-    return make_matrix(map,
-                       map,
-                       map,
-                       lengths,
-                       [&](const int            row,
-                           std::vector<int>    &indices,
-                           std::vector<double> &values) {
-                         const auto add = [&](const unsigned int k) {
-                           const unsigned int column = pattern.column_of(k);
-                           if (column >= n_own)
-                             return;
-                           const unsigned int fixed =
-                             grid.fixed_components(row) |
-                             grid.fixed_components(column);
-                           double       sum = 0.;
-                           unsigned int n   = 0;
-                           for (unsigned int i = 0; i < dim; ++i)
-                             if (!(fixed & (1u << i)))
-                               {
-                                 sum += matrix.value(k, i, i);
-                                 ++n;
-                               }
-                           const bool on_diagonal =
-                             static_cast<int>(column) == row;
-                           if (n == 0 && on_diagonal)
-                             {
-                               sum = matrix.value(k, 0, 0);
-                               n   = 1;
-                             }
-                           if (sum != 0. || on_diagonal)
-                             {
-                               indices.push_back(column);
-                               values.push_back(sum / std::max(n, 1u));
-                             }
-                         };
-                         if (matrix.is_empty(row))
-                           add(pattern.diagonal_of(row));
-                         else
-                           for (unsigned int k = pattern.row_begin(row);
-                                k < pattern.row_begin(row + 1);
-                                ++k)
-                             add(k);
-                       });
+    auto result =
+      std::make_unique<Epetra_CrsMatrix>(Copy,
+                                         make_map(n_own, rows.n),
+                                         make_map(pattern.n_columns(),
+                                                  columns.n),
+                                         lengths.data(),
+                                         /*StaticProfile=*/true);
+    std::vector<int>    indices;
+    std::vector<double> values;
+    for (unsigned int row = 0; row < lengths.size(); ++row)
+      {
+        indices.clear();
+        values.clear();
+        for_each_entry(row, [&](const int column, const double value) {
+          indices.push_back(column);
+          values.push_back(value);
+        });
+        result->InsertMyValues(row,
+                               indices.size(),
+                               values.data(),
+                               indices.data());
+      }
+    result->FillComplete(make_map(n_own, columns.n), make_map(n_own, rows.n));
+    result->OptimizeStorage();
+    return result;
   }
 
   double &
@@ -173,14 +93,12 @@ namespace seiche
     return values[found - columns];
   }
 
-#define INSTANTIATE(dim)                                          \
-  template std::unique_ptr<Epetra_CrsMatrix> epetra_copy<dim>(    \
-    const BlockMatrix<dim> &,                                     \
-    const FieldRange,                                             \
-    const FieldRange,                                             \
-    const double);                                                \
-  template std::unique_ptr<Epetra_CrsMatrix> mean_component<dim>( \
-    const BlockMatrix<dim> &);
+#define INSTANTIATE(dim)                                       \
+  template std::unique_ptr<Epetra_CrsMatrix> epetra_copy<dim>( \
+    const BlockMatrix<dim> &,                                  \
+    const FieldRange,                                          \
+    const FieldRange,                                          \
+    const double);
   INSTANTIATE(2)
   INSTANTIATE(3)
 } // namespace seiche

@@ -3,13 +3,11 @@
 #define seiche_solve_block_preconditioner_h
 
 #include <seiche/solve/assembler.h>
-#include <seiche/solve/block_matrix.h>
+#include <seiche/solve/block_ilu.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
 
 #include <Epetra_CrsMatrix.h>
-#include <Epetra_MultiVector.h>
-#include <Ifpack_ILU.h>
 
 #include <memory>
 
@@ -22,10 +20,9 @@ namespace seiche
    * complement D - C A^-1 G: with subscales it is Laplacian-like,
    * S = D/(rho C_a tau1), so that one scalar ML hierarchy serves; without
    * them it is formed with diag(A). P_A: where A is close to a mass matrix,
-   * ILU(0) of one scalar matrix for all components (epetra_copy.h); ML with
-   * the components' constants where viscosity, tau2 or the bulk modulus
-   * dominate. Viscous fluids add 2 mu c_r/M_p to S^-1 (Cahouet and Chabard
-   * 1988). (doc/theory.md, "Linear systems")
+   * BlockILU; ML with the components' constants where viscosity, tau2 or the
+   * bulk modulus dominate. Viscous fluids add 2 mu c_r/M_p to S^-1 (Cahouet
+   * and Chabard 1988). (doc/theory.md, "Linear systems")
    */
   template <int dim>
   class BlockPreconditioner
@@ -81,12 +78,10 @@ namespace seiche
     apply_to_velocity(Vector &z, const Vector &r) const;
 
     // one of the two
-    std::unique_ptr<Epetra_CrsMatrix>                          ilu_matrix;
-    std::unique_ptr<Ifpack_ILU>                                ilu;
+    std::unique_ptr<BlockILU<dim>>                             ilu;
     std::unique_ptr<Epetra_CrsMatrix>                          velocity_matrix;
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> velocity_amg;
 
-    mutable std::unique_ptr<Epetra_MultiVector> components; ///< for ilu
     unsigned int velocity_generation = 0;  ///< pattern of the factors
     double       velocity_inertia    = 0.; ///< C_a that they belong to
     double       velocity_factor     = 1.;

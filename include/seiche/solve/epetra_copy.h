@@ -26,14 +26,6 @@ namespace seiche
               const FieldRange        columns,
               const double            factor = 1.);
 
-  /// One scalar matrix for all components of the displacement, without
-  /// couplings to other ranks (its communicator is this rank alone): the mean
-  /// of the diagonal blocks A_ii over the components that no wall fixes. The
-  /// inertia and the ghost penalty are the same in all of them. Local.
-  template <int dim>
-  std::unique_ptr<Epetra_CrsMatrix>
-  mean_component(const BlockMatrix<dim> &matrix);
-
   /// Diagonal entry of an own row of a square block. (Epetra keeps own columns
   /// first and in the order of the rows, so that both have one local index; its
   /// ExtractDiagonalCopy searches global indices, which took 9 % of a 3D step.)

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/solve/block_ilu.h>
+#include <seiche/utilities/register.h>
+
+#include <deal.II/base/tensor.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  BlockILU<dim>::initialize(const BlockMatrix<dim> &matrix,
+                            const double            diagonal_factor)
+  {
+    const NodePattern<dim> &pattern = matrix.sparsity();
+    const unsigned int      n       = matrix.occupancy.n_own_nodes();
+    for (Triangle *triangle : {&lower, &upper})
+      {
+        triangle->begin.assign(1, 0);
+        triangle->column.clear();
+        triangle->blocks.clear();
+      }
+    inverses.assign(n * size, 0.f);
+
+    const auto load = [](const float *from) {
+      Tensor<2, dim> result;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          result[i][j] = from[j * n_rows + i];
+      return result;
+    };
+    const auto store = [](const Tensor<2, dim> &from, float *to) {
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          to[j * n_rows + i] = static_cast<float>(from[i][j]);
+    };
+    const auto append = [&](Triangle                          &triangle,
+                            const std::vector<unsigned int>   &columns,
+                            const std::vector<Tensor<2, dim>> &blocks) {
+      for (unsigned int k = 0; k < columns.size(); ++k)
+        {
+          triangle.column.push_back(columns[k]);
+          triangle.blocks.resize(triangle.blocks.size() + size);
+          store(blocks[k], &triangle.blocks[triangle.blocks.size() - size]);
+        }
+      triangle.begin.push_back(triangle.column.size());
+    };
+
+    // the row at work: L, diagonal, U, and where a column is found in it
+    constexpr int               none = -1;
+    std::vector<int>            place(n, none);
+    std::vector<unsigned int>   columns[2];
+    std::vector<Tensor<2, dim>> blocks[2];
+    for (unsigned int row = 0; row < n; ++row)
+      {
+        Tensor<2, dim> diagonal;
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            columns[side].clear();
+            blocks[side].clear();
+          }
+        const auto add_entry = [&](const unsigned int entry) {
+          const unsigned int column = pattern.column_of(entry);
+          Tensor<2, dim>     block;
+          for (unsigned int r = 0; r < dim; ++r)
+            for (unsigned int c = 0; c < dim; ++c)
+              block[r][c] = matrix.value(entry, r, c);
+          if (column == row)
+            {
+              diagonal = block;
+              for (unsigned int c = 0; c < dim; ++c)
+                diagonal[c][c] *= diagonal_factor;
+            }
+          else if (column < n && !matrix.is_empty(column))
+            {
+              const unsigned int side = column > row;
+              place[column]           = blocks[side].size();
+              columns[side].push_back(column);
+              blocks[side].push_back(block);
+            }
+        };
+        if (matrix.is_empty(row))
+          add_entry(pattern.diagonal_of(row));
+        else
+          for (unsigned int k = pattern.row_begin(row);
+               k < pattern.row_begin(row + 1);
+               ++k)
+            add_entry(k);
+
+        // eliminate with the rows before
+        for (unsigned int l = 0; l < columns[0].size(); ++l)
+          {
+            const unsigned int   other = columns[0][l];
+            const Tensor<2, dim> L =
+              blocks[0][l] * load(&inverses[other * size]);
+            blocks[0][l] = L;
+            for (unsigned int u = upper.begin[other];
+                 u < upper.begin[other + 1];
+                 ++u)
+              {
+                const unsigned int column = upper.column[u];
+                if (column != row && place[column] == none)
+                  continue;
+                const Tensor<2, dim> product =
+                  L * load(&upper.blocks[std::size_t(u) * size]);
+                if (column == row)
+                  diagonal -= product;
+                else
+                  blocks[column > row][place[column]] -= product;
+              }
+          }
+        store(invert(diagonal), &inverses[row * size]);
+        append(lower, columns[0], blocks[0]);
+        append(upper, columns[1], blocks[1]);
+        for (unsigned int side = 0; side < 2; ++side)
+          for (const unsigned int column : columns[side])
+            place[column] = none;
+      }
+  }
+
+  template <int dim>
+  void
+  BlockILU<dim>::vmult(Vector &x, const Vector &b) const
+  {
+    using Lanes           = Register<n_rows>;
+    using Rows            = typename Lanes::Doubles;
+    const unsigned int n  = lower.begin.size() - 1;
+    double            *to = x.begin();
+    if (&x != &b)
+      std::copy(b.begin(), b.begin() + n * dim, to);
+
+    // one sum for each column: the additions need not wait for each other
+    const auto add_block =
+      [&](Rows *sum, const Triangle &triangle, const std::size_t k) {
+        const double *other = to + triangle.column[k] * dim;
+        for (unsigned int j = 0; j < dim; ++j)
+          sum[j] +=
+            Lanes::load(&triangle.blocks[k * size + j * n_rows]) * other[j];
+      };
+    for (unsigned int row = 0; row < n; ++row)
+      {
+        Rows sum[dim] = {};
+        for (unsigned int k = lower.begin[row]; k < lower.begin[row + 1]; ++k)
+          add_block(sum, lower, k);
+        for (unsigned int j = 1; j < dim; ++j)
+          sum[0] += sum[j];
+        for (unsigned int i = 0; i < dim; ++i)
+          to[row * dim + i] -= sum[0][i];
+      }
+    for (unsigned int row = n; row-- > 0;)
+      {
+        Rows sum[dim] = {};
+        for (unsigned int k = upper.begin[row + 1]; k-- > upper.begin[row];)
+          add_block(sum, upper, k);
+        for (unsigned int j = 1; j < dim; ++j)
+          sum[0] += sum[j];
+        Rows solution = {};
+        for (unsigned int j = 0; j < dim; ++j)
+          solution += Lanes::load(&inverses[row * size + j * n_rows]) *
+                      (to[row * dim + j] - sum[0][j]);
+        for (unsigned int i = 0; i < dim; ++i)
+          to[row * dim + i] = solution[i];
+      }
+  }
+
+  template <int dim>
+  double
+  BlockILU<dim>::growth(const BlockMatrix<dim> &matrix) const
+  {
+    Vector test(matrix.occupancy.vector_partitioner());
+    for (unsigned int i = 0; i < test.locally_owned_size(); ++i)
+      test.local_element(i) = matrix.diagonal(i / dim, i % dim);
+    vmult(test, test);
+    return test.linfty_norm();
+  }
+
+  template class BlockILU<2>;
+  template class BlockILU<3>;
+} // namespace seiche
