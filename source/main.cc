@@ -9,13 +9,29 @@
 #include <chrono>
 #include <csignal>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <string>
 #include <thread>
 
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
+
 namespace
 {
   using seiche::ExitCode;
+
+  /// Freed memory stays with the process: the arrays of a step come and go with
+  /// the same sizes, and clearing new pages took 5 to 7 % of a 3D step.
+  void
+  keep_freed_memory()
+  {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
+  }
 
   ExitCode
   run_program(const int argc, char **argv, const bool speaks)
@@ -84,6 +100,7 @@ namespace
 int
 main(int argc, char **argv)
 {
+  keep_freed_memory();
   // a limit of the file size shall be an error of write(), not a signal
   std::signal(SIGXFSZ, SIG_IGN);
   // the options are ours: PETSc, which deal.II starts, would complain of them

@@ -40,8 +40,13 @@ namespace seiche
     , body_force(scene.body_force, scene.input)
     , transfer(scene.transfer, occupancy)
     , matrix(occupancy, formulation->has_pressure())
-    , assembler(*formulation, *quadrature, fill, body_force, scene.free_surface)
-    , linear_solver(scene.linear_solver, scene.material())
+    , assembler(*formulation,
+                *quadrature,
+                fill,
+                body_force,
+                scene.free_surface,
+                timer)
+    , linear_solver(scene.linear_solver, scene.material(), timer)
     , velocity_projection(assembler,
                           matrix,
                           linear_solver,

@@ -10,13 +10,15 @@ namespace seiche
                             const Quadrature<dim>       &rule,
                             const Fill<dim>             &grid_fill,
                             const BodyForce<dim>        &force,
-                            const FreeSurfaceParameters &surface)
+                            const FreeSurfaceParameters &surface,
+                            TimerTree                   &timer_tree)
     : formulation(weak_form)
     , free_surface(surface)
     , quadrature(rule)
     , fill(grid_fill)
     , occupancy(grid_fill.occupancy)
     , body_force(force)
+    , timer(timer_tree)
   {
     data.body_force_varies = !body_force.is_constant();
     if (!data.body_force_varies)
@@ -150,6 +152,7 @@ namespace seiche
   void
   Assembler<dim>::residual(GridState<dim> &state, BlockVector &residual)
   {
+    const TimerTree::Scope scope(timer, "residual");
     constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
     residual                       = 0.;
     const bool mixed               = formulation.has_pressure();
@@ -223,13 +226,25 @@ namespace seiche
   void
   Assembler<dim>::tangent(const GridState<dim> &state, BlockMatrix<dim> &matrix)
   {
+    const TimerTree::Scope scope(timer, "tangent");
     matrix.set_zero();
+    // The matrices of full cells at rest are equal for equal cells: those of
+    // the last one stay in the workspace.
+    const bool     at_rest = is_at_rest(state);
+    Tensor<1, dim> last_extent;
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        gather(cell, state);
-        formulation.tangent(data);
-        if (occupancy.hanging().has_matrix(cell))
-          condense_tangent(cell);
+        const bool hanging = occupancy.hanging().has_matrix(cell);
+        const bool reusable =
+          at_rest && !hanging && fill.gauss_weight(cell) == 1.;
+        if (!reusable || occupancy.locator.extent(cell) != last_extent)
+          {
+            gather(cell, state);
+            formulation.tangent(data);
+            if (hanging)
+              condense_tangent(cell);
+            last_extent = reusable ? data.extent : Tensor<1, dim>();
+          }
         matrix.add_cell(cell, data);
       }
     const StepCoefficients &c = data.coefficients;
@@ -241,6 +256,20 @@ namespace seiche
                       coefficient.pressure);
     });
     matrix.compress();
+  }
+
+  template <int dim>
+  bool
+  Assembler<dim>::is_at_rest(const GridState<dim> &state) const
+  {
+    const StepCoefficients &c = data.coefficients;
+    const Vector           &u = state.displacement();
+    return formulation.has_pressure() && c.theta == 0. && !c.viscous &&
+           c.volume_recovery == 0. &&
+           formulation.stabilization.tau_is_uniform() &&
+           std::all_of(u.begin(), u.end(), [](const double value) {
+             return value == 0.;
+           });
   }
 
   template <int dim>

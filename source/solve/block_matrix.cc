@@ -3,6 +3,7 @@
 #include <seiche/utilities/register.h>
 
 #include <algorithm>
+#include <array>
 
 namespace seiche
 {
@@ -80,14 +81,33 @@ namespace seiche
                              const double                velocity_coefficient,
                              const double                pressure_coefficient)
   {
-    const unsigned int n = n_fields();
+    constexpr unsigned int max_nodes = GhostFaceMatrix<dim>::max_nodes;
+    const unsigned int     n         = n_fields();
+    std::array<unsigned int, max_nodes> order, columns, entries;
+    const auto                          column = [&](const unsigned int a) {
+      return pattern.column_of_local(face.nodes[a]);
+    };
+    for (unsigned int a = 0; a < face.n_nodes; ++a) // insertion sort
+      {
+        unsigned int k = a;
+        for (; k > 0 && column(order[k - 1]) > column(a); --k)
+          order[k] = order[k - 1];
+        order[k] = a;
+      }
+    for (unsigned int b = 0; b < face.n_nodes; ++b)
+      columns[b] = column(order[b]);
+
     for (unsigned int a = 0; a < face.n_nodes; ++a)
       {
         const unsigned int fixed = occupancy.fixed_components(face.nodes[a]);
-        for (unsigned int b = 0; b < face.n_nodes; ++b)
+        pattern.find_entries(face.nodes[a],
+                             columns.data(),
+                             face.n_nodes,
+                             entries.data());
+        for (unsigned int k = 0; k < face.n_nodes; ++k)
           {
-            const std::size_t entry =
-              pattern.entry(face.nodes[a], face.nodes[b]);
+            const unsigned int b     = order[k];
+            const std::size_t  entry = entries[k];
             const unsigned int other =
               occupancy.fixed_components(face.nodes[b]);
             for (unsigned int i = 0; i < dim; ++i)

@@ -94,9 +94,9 @@ namespace seiche
   void
   BlockPreconditioner<dim>::make_ilu()
   {
+    ilu = std::make_unique<BlockILU<dim>>();
     for (const double factor : ilu_diagonal_factors)
       {
-        ilu = std::make_unique<BlockILU<dim>>();
         ilu->initialize(*matrix, factor);
         if (ilu->growth(*matrix) < ilu_unstable_above)
           return;

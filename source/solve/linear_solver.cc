@@ -68,9 +68,11 @@ namespace seiche
 
   template <int dim>
   LinearSolver<dim>::LinearSolver(const LinearSolverParameters &p,
-                                  const MaterialConstants      &m)
+                                  const MaterialConstants      &m,
+                                  TimerTree                    &t)
     : parameters(p)
     , material(m)
+    , timer(t)
   {}
 
   template <int dim>
@@ -93,6 +95,7 @@ namespace seiche
     closed = matrix->has_pressure() && std::isinf(material.bulk_modulus) &&
              !occupancy.has_free_surface();
     set_up = [this, &assembler, &mass]() {
+      const TimerTree::Scope scope(timer, "preconditioner");
       preconditioner.initialize(*matrix, assembler, material, mass, closed);
     };
     if (!direct)
@@ -115,7 +118,8 @@ namespace seiche
                            const BlockVector &right_hand_side,
                            const double       tolerance)
   {
-    LinearResult result;
+    const TimerTree::Scope scope(timer, "linear solve");
+    LinearResult           result;
     if (direct)
       result.converged =
         solve_directly<dim>(*matrix, closed, solution, right_hand_side);

@@ -271,6 +271,23 @@ namespace seiche
   }
 
   template <int dim>
+  void
+  NodePattern<dim>::find_entries(const unsigned int  row_node,
+                                 const unsigned int *wanted,
+                                 const unsigned int  n,
+                                 unsigned int       *entries) const
+  {
+    unsigned int k = begin_of_row[row_node];
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        while (column[k] != wanted[i])
+          ++k;
+        Assert(k < begin_of_row[row_node + 1], ExcInternalError());
+        entries[i] = k;
+      }
+  }
+
+  template <int dim>
   std::shared_ptr<const Utilities::MPI::Partitioner>
   NodePattern<dim>::make_partitioner(const unsigned int components) const
   {

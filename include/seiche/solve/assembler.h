@@ -7,6 +7,7 @@
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/scene/body_force.h>
 #include <seiche/solve/block_matrix.h>
+#include <seiche/utilities/timer_tree.h>
 
 namespace seiche
 {
@@ -27,7 +28,8 @@ namespace seiche
               const Quadrature<dim>       &quadrature,
               const Fill<dim>             &fill,
               const BodyForce<dim>        &body_force,
-              const FreeSurfaceParameters &free_surface);
+              const FreeSurfaceParameters &free_surface,
+              TimerTree                   &timer);
 
     /// Scalars of the step, start time [s] and the nodal offsets of
     /// acceleration and velocity (TimeScheme), which must outlive the step.
@@ -74,6 +76,11 @@ namespace seiche
     void
     gather(const unsigned int cell, const GridState<dim> &state);
 
+    /// True if the tangent of a cell full of Gauss points depends on nothing
+    /// but its extents: the projection of the start velocity. Local.
+    bool
+    is_at_rest(const GridState<dim> &state) const;
+
     /// Rows and columns of hanging nodes go to their masters.
     void
     condense_tangent(const unsigned int cell);
@@ -87,6 +94,7 @@ namespace seiche
     const Fill<dim>       &fill;
     const Occupancy<dim>  &occupancy;
     const BodyForce<dim>  &body_force;
+    TimerTree             &timer;
     double                 time           = 0.;
     const Vector          *inertia_offset = nullptr;
     const Vector          *rate_offset    = nullptr;

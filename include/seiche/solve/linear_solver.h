@@ -58,7 +58,8 @@ namespace seiche
     using BlockVector = typename BlockMatrix<dim>::BlockVector;
 
     LinearSolver(const LinearSolverParameters &parameters,
-                 const MaterialConstants      &material);
+                 const MaterialConstants      &material,
+                 TimerTree                    &timer);
 
     /// Use @p matrix, assembled with @p assembler's coefficients, for the
     /// next solves. @p mass: lumped nodal mass [kg]. Collective.
@@ -95,6 +96,7 @@ namespace seiche
 
     const LinearSolverParameters parameters;
     const MaterialConstants      material;
+    TimerTree                   &timer;
     const BlockMatrix<dim>      *matrix = nullptr;
     std::function<void()>        set_up; ///< of the preconditioner
     double                       row_scale = 1.;

@@ -73,6 +73,20 @@ namespace seiche
     unsigned int
     entry(const unsigned int row_node, const unsigned int column_node) const;
 
+    /// Entries of a row at @p n columns, which ascend and are coupled to it.
+    void
+    find_entries(const unsigned int  row_node,
+                 const unsigned int *columns,
+                 const unsigned int  n,
+                 unsigned int       *entries) const;
+
+    /// Column of a local node.
+    unsigned int
+    column_of_local(const unsigned int node) const
+    {
+      return column_of_node[node];
+    }
+
     /// [a][b]: entry of nodes a and b of an own active cell, counted from the
     /// first of row a.
     const std::uint16_t *
