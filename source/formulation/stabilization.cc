@@ -21,6 +21,11 @@ namespace seiche
                       "viscosity; finite for fluid at rest) or paper "
                       "(equation 25 of the founding paper)",
                       Patterns::Selection("transient|paper"));
+    prm.add_parameter("Tau speed floor",
+                      speed_floor,
+                      "Tau = paper: smallest speed in equation 25, which is "
+                      "infinite for fluid at rest [cells a step]",
+                      Patterns::Double(1e-12));
     prm.add_parameter("Tau inertia factor",
                       inertia_factor,
                       "Factor c_d of the inertia term in 1/tau1 [-]",
@@ -67,7 +72,8 @@ namespace seiche
         inverse_transient_tau(coefficients, density, viscosity, h, degree);
     else
       {
-        const double floored = std::max(speed, 1e-3 * h / coefficients.dt);
+        const double floored =
+          std::max(speed, speed_floor * h / coefficients.dt);
         inverse = viscous_factor * 2. * viscosity / (h * h * coefficients.dt) +
                   inertia_factor * density * floored / (h * coefficients.dt);
       }

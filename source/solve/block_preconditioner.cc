@@ -58,7 +58,7 @@ namespace seiche
     if (!matrix->has_pressure())
       return;
 
-    initialize_schur(assembler, material);
+    initialize_schur(assembler, material, mass);
     viscous_factor = 2. * viscosity * c.rate;
     if (viscous_factor > 0.)
       {
@@ -124,7 +124,8 @@ namespace seiche
   template <int dim>
   void
   BlockPreconditioner<dim>::initialize_schur(const Assembler<dim>    &assembler,
-                                             const MaterialConstants &material)
+                                             const MaterialConstants &material,
+                                             const Vector            &mass)
   {
     const StepCoefficients        &c = assembler.coefficients();
     const StabilizationParameters &stabilization =
@@ -156,7 +157,14 @@ namespace seiche
         const auto    G = epetra_copy(*matrix, displacement, pressure);
         Epetra_Vector scale(G->RowMap());
         for (int i = 0; i < scale.MyLength(); ++i)
-          scale[i] = 1. / matrix->diagonal(i / dim, i % dim);
+          {
+            // where tau1 is large, D and C A^-1 G nearly cancel for smooth
+            // pressures: the diagonal of a consistent mass is too small then
+            const double inertia = c.inertia * mass.local_element(i / dim);
+            scale[i] = 1. / (stabilization.is_active() && inertia > 0. ?
+                               inertia :
+                               matrix->diagonal(i / dim, i % dim));
+          }
         G->LeftScale(scale);
         Epetra_CrsMatrix product(Copy, D->RowMap(), 0);
         EpetraExt::MatrixMatrix::Multiply(*C, false, *G, false, product);

@@ -28,9 +28,10 @@ namespace seiche
   {
     std::string stabilization     = "ASGS";
     std::string tau               = "transient";
-    double      inertia_factor    = 1.;  // c_d
-    double      viscous_factor    = 4.;  // c_1
-    double      continuity_factor = 0.1; // c_2
+    double      speed_floor       = 1e-3; // of |v|, "paper" only
+    double      inertia_factor    = 1.;   // c_d
+    double      viscous_factor    = 4.;   // c_1
+    double      continuity_factor = 0.1;  // c_2
 
     void
     add_parameters(dealii::ParameterHandler &prm);

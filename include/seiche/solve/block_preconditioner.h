@@ -63,7 +63,8 @@ namespace seiche
     make_velocity_amg();
     void
     initialize_schur(const Assembler<dim>    &assembler,
-                     const MaterialConstants &material);
+                     const MaterialConstants &material,
+                     const Vector            &mass);
 
     /// Add factor times the row sums of -C diag(A)^-1 G to the diagonal of the
     /// Schur complement. With subscales C is the flux through the free
