@@ -74,12 +74,17 @@ namespace seiche
   bool
   MeshAdaptation<dim>::adapt_fully()
   {
+    // a pass may find a family in the way of the next coarser one, and another
+    // one first a family that two ranks share
     bool changed = false;
-    for (unsigned int pass = 0; pass <= grid.finest_level() + 1; ++pass)
+    for (unsigned int pass = 0; pass < 2 * (grid.finest_level() + 2); ++pass)
       {
-        if (!adapt())
+        const bool adapted = adapt();
+        changed            = changed || adapted;
+        if (family_is_shared)
+          share_out(/*at_once=*/true);
+        else if (!adapted)
           break;
-        changed = true;
         find_fluid();
       }
     return changed;
@@ -135,17 +140,23 @@ namespace seiche
     for (const auto &criterion : parameters.criteria)
       claim(criterion);
     grade();
-    bool flagged = false;
+    bool flagged = false, shared = false;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         const auto &iterator = locator.iterator(cell);
         if (locator.level(cell) < wanted_level[cell])
           iterator->set_refine_flag();
         else if (siblings_are_too_fine(cell))
-          iterator->set_coarsen_flag();
+          {
+            if (siblings_are_own(cell))
+              iterator->set_coarsen_flag();
+            else
+              shared = true;
+          }
         flagged = flagged || iterator->refine_flag_set() ||
                   iterator->coarsen_flag_set();
       }
+    family_is_shared = Utilities::MPI::max(shared ? 1 : 0, communicator) == 1;
     if (Utilities::MPI::max(flagged ? 1 : 0, communicator) == 0)
       return false;
     const auto before = grid.triangulation.get_checksum();
@@ -186,8 +197,18 @@ namespace seiche
       return false;
     const auto parent = locator.iterator(cell)->parent();
     for (const auto &child : parent->child_iterators())
-      if (!child->is_active() || !child->is_locally_owned() ||
-          wanted_level[locator.index(child)] >= level)
+      if (!child->is_active() || wanted_level[locator.index(child)] >= level)
+        return false;
+    return true;
+  }
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::siblings_are_own(const unsigned int cell) const
+  {
+    const auto parent = locator.iterator(cell)->parent();
+    for (const auto &child : parent->child_iterators())
+      if (!child->is_locally_owned())
         return false;
     return true;
   }
@@ -276,11 +297,19 @@ namespace seiche
 
   template <int dim>
   bool
-  MeshAdaptation<dim>::share_out()
+  MeshAdaptation<dim>::share_out(const bool at_once)
   {
     if (Utilities::MPI::n_mpi_processes(communicator) == 1 ||
-        imbalance() <= tolerated_imbalance)
+        (!at_once && imbalance() <= tolerated_imbalance))
       return false;
+    // a rank's cells are one run of the space-filling curve
+    const auto own_cells = [&]() {
+      return std::make_pair(locator.n_owned(),
+                            locator.n_owned() > 0 ?
+                              locator.iterator(0)->id().to_string() :
+                              std::string());
+    };
+    const auto before = own_cells();
 
     // the forest takes the points along with their cells
     using ActiveCell  = typename Triangulation<dim>::active_cell_iterator;
@@ -300,7 +329,8 @@ namespace seiche
     locator.reinit();
     points.replace(packed);
     find_fluid();
-    return true;
+    return Utilities::MPI::max(own_cells() != before ? 1 : 0, communicator) ==
+           1;
   }
 
   template class MeshAdaptation<2>;

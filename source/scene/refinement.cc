@@ -89,7 +89,9 @@ namespace seiche
                       adapt_every,
                       "An adaptive mesh (subsections \"Refinement NAME\") "
                       "follows the fluid every so many steps, and at once "
-                      "where the free surface reaches a coarser cell. [-]",
+                      "where the free surface reaches a coarser cell. As "
+                      "often any mesh is shared out again between several "
+                      "ranks. [-]",
                       Integer(1));
     prm.leave_subsection();
 

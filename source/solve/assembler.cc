@@ -68,7 +68,7 @@ namespace seiche
 
     const StepCoefficients &c     = data.coefficients;
     const unsigned int     *nodes = occupancy.cell_nodes(cell);
-    Tensor<1, dim>          mean_velocity;
+    double                  start_velocity[dim][n_nodes];
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         {
@@ -79,15 +79,19 @@ namespace seiche
             c.inertia * u + inertia_offset->local_element(dof);
           data.rate_velocity[i][a] =
             c.rate * u + rate_offset->local_element(dof);
-          mean_velocity[i] += state.velocity_start.local_element(dof) / n_nodes;
+          start_velocity[i][a] = state.velocity_start.local_element(dof);
         }
-    data.start_speed = mean_velocity.norm();
+    Tensor<1, dim> mean_velocity;
     for (unsigned int i = 0; i < dim; ++i)
       {
         occupancy.expand(cell, data.displacement[i]);
         occupancy.expand(cell, data.acceleration[i]);
         occupancy.expand(cell, data.rate_velocity[i]);
+        occupancy.expand(cell, start_velocity[i]);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          mean_velocity[i] += start_velocity[i][a] / n_nodes;
       }
+    data.start_speed = mean_velocity.norm();
     if (state.has_pressure())
       {
         for (unsigned int a = 0; a < n_nodes; ++a)
@@ -100,14 +104,7 @@ namespace seiche
         // at the place that v_0 predicts: second order, and the tangent does
         // not need the gradient of the expression
         data.body_force.assign(data.quadrature.size, Tensor<1, dim>());
-        double N[n_nodes], velocity[dim][n_nodes];
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              velocity[d][a] =
-                state.velocity_start.local_element(dim * nodes[a] + d);
-            occupancy.expand(cell, velocity[d]);
-          }
+        double N[n_nodes];
         if (c.body_force)
           for (unsigned int q = 0; q < data.quadrature.size; ++q)
             {
@@ -118,7 +115,7 @@ namespace seiche
                 {
                   x[d] += unit[d] * data.extent[d];
                   for (unsigned int a = 0; a < n_nodes; ++a)
-                    x[d] += c.theta * c.dt * N[a] * velocity[d][a];
+                    x[d] += c.theta * c.dt * N[a] * start_velocity[d][a];
                 }
               data.body_force[q] = body_force.value(x, time + c.theta * c.dt);
             }
@@ -136,8 +133,10 @@ namespace seiche
     for (const GhostFace &face : fill.ghost_faces())
       {
         matrix.evaluate(face, occupancy);
-        const double size =
-          std::pow(occupancy.locator.measure(face.lower), 1. / dim);
+        const double size = // of the smaller cell, which the face belongs to
+          std::pow(std::min(occupancy.locator.measure(face.lower),
+                            occupancy.locator.measure(face.upper)),
+                   1. / dim);
         f(matrix,
           ghost_coefficients(free_surface,
                              face,

@@ -44,6 +44,7 @@ namespace seiche
                                        const bool               is_closed)
   {
     matrix                            = &system_matrix;
+    kept                              = false;
     closed                            = is_closed;
     const StepCoefficients &c         = assembler.coefficients();
     const Occupancy<dim>   &occupancy = matrix->occupancy;
@@ -78,6 +79,7 @@ namespace seiche
         (velocity_amg != nullptr) == (stiffness >= mass_dominated_below))
       {
         velocity_factor = velocity_inertia / inertia;
+        kept            = true;
         return;
       }
     ilu.reset();
@@ -101,6 +103,8 @@ namespace seiche
         if (ilu->growth(*matrix) < ilu_unstable_above)
           return;
       }
+    ilu.reset();
+    make_velocity_amg();
   }
 
   template <int dim>
@@ -140,7 +144,10 @@ namespace seiche
         1.;
     schur_factor = scaled_block ? c.inertia : 1.;
     if (scaled_block && schur_amg && schur_generation == matrix->generation())
-      return;
+      {
+        kept = true;
+        return;
+      }
 
     if (scaled_block)
       {

@@ -22,7 +22,11 @@ namespace seiche
     const auto         system   = epetra_copy(matrix, all, all);
     const Epetra_Map  &map      = system->RowMap();
     if (closed && map.MyGID(static_cast<int>(dim)))
-      diagonal_entry(*system, map.LID(static_cast<int>(dim))) *= 2.;
+      {
+        // any positive number: the pinned value is then zero
+        double &entry = diagonal_entry(*system, map.LID(static_cast<int>(dim)));
+        entry         = entry != 0. ? 2. * entry : 1.;
+      }
 
     // entry i of a block: which row of the system
     const auto row = [&](const unsigned int block, const unsigned int i) {
@@ -43,11 +47,13 @@ namespace seiche
                          solver->Solve() == 0;
     double norm = 0.;
     x.Norm2(&norm);
+    if (!success || !std::isfinite(norm))
+      return false;
     for (unsigned int block = 0; block < solution.n_blocks(); ++block)
       for (unsigned int i = 0; i < solution.block(block).locally_owned_size();
            ++i)
         solution.block(block).local_element(i) = x[row(block, i)];
-    return success && std::isfinite(norm);
+    return true;
   }
 
 #define INSTANTIATE(dim)                      \

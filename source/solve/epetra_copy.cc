@@ -3,6 +3,8 @@
 
 #include <Epetra_MpiComm.h>
 
+#include <algorithm>
+
 namespace seiche
 {
   using namespace dealii;

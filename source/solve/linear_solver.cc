@@ -7,6 +7,9 @@
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
+#include <cmath>
+#include <limits>
+
 namespace seiche
 {
   using namespace dealii;
@@ -126,17 +129,17 @@ namespace seiche
     else
       {
         result = solve_iteratively(solution, right_hand_side, tolerance);
-        if (!result.converged)
+        if (!result.converged && preconditioner.is_kept())
           {
             const unsigned int wasted = result.iterations;
             preconditioner.reset();
             set_up();
             result = solve_iteratively(solution, right_hand_side, tolerance);
             result.iterations += wasted;
-            if (!result.converged && rescue)
-              result.converged =
-                solve_directly<dim>(*matrix, closed, solution, right_hand_side);
           }
+        if (!result.converged && rescue)
+          result.converged =
+            solve_directly<dim>(*matrix, closed, solution, right_hand_side);
       }
     if (closed)
       solution.block(1).add(-solution.block(1).mean_value());

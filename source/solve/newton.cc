@@ -17,7 +17,7 @@ namespace seiche
 
     /// Backtracking halves the update until the residual falls, down to this
     /// share of it: impacts turn a drop's velocity within a step.
-    constexpr double shortest_step = 0.1;
+    constexpr double shortest_step = 1. / 16.;
   } // namespace
 
   void
@@ -101,7 +101,7 @@ namespace seiche
         state.solution.update_ghost_values();
         assembler.residual(state, residual);
         const double after = solver.norm(residual);
-        if (after < before || length < shortest_step)
+        if (after < before || length <= shortest_step)
           return after;
         done = length;
         length *= 0.5;

@@ -3,6 +3,8 @@
 
 #include <deal.II/base/mpi.templates.h>
 
+#include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace seiche
@@ -280,9 +282,8 @@ namespace seiche
     unsigned int k = begin_of_row[row_node];
     for (unsigned int i = 0; i < n; ++i)
       {
-        while (column[k] != wanted[i])
-          ++k;
-        Assert(k < begin_of_row[row_node + 1], ExcInternalError());
+        for (; column[k] != wanted[i]; ++k)
+          AssertIndexRange(k + 1, begin_of_row[row_node + 1]);
         entries[i] = k;
       }
   }

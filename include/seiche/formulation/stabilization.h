@@ -28,7 +28,7 @@ namespace seiche
   {
     std::string stabilization     = "ASGS";
     std::string tau               = "transient";
-    double      speed_floor       = 1e-3; // of |v|, "paper" only
+    double      speed_floor       = 1e-3; // [h/dt], of |v|
     double      inertia_factor    = 1.;   // c_d
     double      viscous_factor    = 4.;   // c_1
     double      continuity_factor = 0.1;  // c_2
@@ -61,8 +61,8 @@ namespace seiche
     /**
      * transient: 1/tau1 = c_d rho C_a + c_1 2 mu c_r k^4/h^2 (Badia and
      * Codina 2009, in displacements). paper: 1/tau1 = c_1 2 mu/(h^2 dt) +
-     * c_d rho |v|/(h dt) (founding paper, equation 25), |v| floored at
-     * 1e-3 h/dt, because as printed tau1 is infinite where the fluid rests.
+     * c_d rho |v|/(h dt) (founding paper, equation 25), |v| at least
+     * speed_floor h/dt, because as printed tau1 is infinite where fluid rests.
      * Both: tau2 = c_2 h^2/tau1. All zero without subscales.
      *
      * @p h cell size [m], @p speed at the cell's centre [m/s].

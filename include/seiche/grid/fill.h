@@ -78,7 +78,8 @@ namespace seiche
       return node_fill;
     }
 
-    /// Ghost faces that this rank assembles (the lower rank of the two).
+    /// Ghost faces that this rank assembles
+    /// (Occupancy::for_each_assembled_face).
     const std::vector<GhostFace> &
     ghost_faces() const
     {

@@ -49,9 +49,10 @@ namespace seiche
     adapt_fully();
     bool
     surface_left_its_level() const;
-    /// If the shares differ by more than a tenth.
+    /// If the shares differ by more than a tenth, or @p at_once. Families of
+    /// cells are then whole again. True if cells have moved.
     bool
-    share_out();
+    share_out(const bool at_once = false);
 
     void
     find_fluid();
@@ -69,6 +70,8 @@ namespace seiche
     grade();
     bool
     siblings_are_too_fine(const unsigned int cell) const;
+    bool
+    siblings_are_own(const unsigned int cell) const;
     unsigned int
     weight(const unsigned int cell) const;
 
@@ -77,6 +80,9 @@ namespace seiche
     PointCloud<dim>                 &points;
     const RefinementParameters<dim> &parameters;
     const MPI_Comm                   communicator;
+
+    /// The last pass found cells to coarsen whose siblings another rank owns.
+    bool family_is_shared = false;
 
     // own cells and ghosts (at_surface: own cells)
     std::vector<char>   holds_fluid, at_surface;

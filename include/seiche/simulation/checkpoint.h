@@ -30,7 +30,6 @@ namespace seiche
     /// Open and verify. FileError says what is wrong with it. Local.
     explicit Checkpoint(const std::string &filename);
 
-    /// Write @p state, saved by the run, and the points; on the disk when
     /// Write the points and @p state, what else the run has saved; on the disk
     /// when this returns. Collective.
     template <int dim>

@@ -17,9 +17,11 @@ namespace seiche
    * @brief Block upper-triangular preconditioner of [A G; C D].
    *
    * z_p = S^-1 r_p, z_u = P_A (r_u - G z_p). S is the pressure Schur
-   * complement D - C A^-1 G: with subscales it is Laplacian-like,
-   * S = D/(rho C_a tau1), so that one scalar ML hierarchy serves; without
-   * them it is formed with diag(A). P_A: where A is close to a mass matrix,
+   * complement D - C A^-1 G. Where tau1 is the same in all cells of a size it
+   * is S = D/(rho C_a tau1), Laplacian-like, so that one scalar ML hierarchy
+   * serves all solves of a step; where subscales vary it is formed with the
+   * lumped inertia (D and C A^-1 G nearly cancel where tau1 is large), without
+   * subscales with diag(A). P_A: where A is close to a mass matrix,
    * BlockILU; ML with the components' constants where viscosity, tau2 or the
    * bulk modulus dominate. Viscous fluids add 2 mu c_r/M_p to S^-1 (Cahouet
    * and Chabard 1988). (doc/theory.md, "Linear systems")
@@ -48,6 +50,13 @@ namespace seiche
     void
     reset();
 
+    /// True if the last initialize() kept something of an earlier matrix.
+    bool
+    is_kept() const
+    {
+      return kept;
+    }
+
     void
     vmult(BlockVector &z, const BlockVector &r) const;
 
@@ -74,6 +83,7 @@ namespace seiche
 
     const BlockMatrix<dim> *matrix = nullptr;
     bool                    closed = false; ///< pressure up to a constant
+    bool                    kept   = false;
 
     void
     apply_to_velocity(Vector &z, const Vector &r) const;

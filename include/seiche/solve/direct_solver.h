@@ -9,7 +9,8 @@ namespace seiche
   /**
    * Solve the system with a sparse factorisation (Amesos KLU; several ranks
    * gather on one). @p closed: the pressure is known up to a constant, one of
-   * its rows is pinned. Returns false if the matrix is singular. Collective.
+   * its rows is pinned. Returns false, and leaves
+   * the solution as it was, if the matrix is singular. Collective.
    */
   template <int dim>
   bool

@@ -7,6 +7,7 @@
 #include <seiche/solve/block_preconditioner.h>
 
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace dealii
@@ -32,8 +33,9 @@ namespace seiche
   struct LinearResult
   {
     bool         converged  = false;
-    unsigned int iterations = 0;  ///< Krylov iterations, 0 for direct
-    double       reduction  = 0.; ///< residual over its first value, if failed
+    unsigned int iterations = 0; ///< Krylov iterations, 0 for direct
+    double       reduction  = std::numeric_limits<double>::infinity();
+    ///< residual over its first value, if failed
 
     /// Not as good as asked, but a gain: another iteration around it goes on.
     bool
@@ -76,8 +78,9 @@ namespace seiche
     }
 
     /// Reduce the scaled residual by @p tolerance, from zero. A solve that
-    /// fails is repeated once with a new preconditioner, then, if the solver
-    /// is "automatic" and the system not large, directly. The mean of the
+    /// fails with a preconditioner of an earlier matrix is repeated with a new
+    /// one, then, if the solver is "automatic" and the system not large,
+    /// directly. The mean of the
     /// pressure is zero where only its gradient counts. Collective.
     LinearResult
     solve(BlockVector       &solution,

@@ -43,12 +43,7 @@ namespace seiche
       return begin_of_row[row];
     }
 
-    /// Entries of own rows come first.
-    unsigned int
-    n_own_entries() const
-    {
-      return begin_of_row[occupancy.n_own_nodes()];
-    }
+    /// Of all rows; own rows come first.
     unsigned int
     n_entries() const
     {
