@@ -140,13 +140,14 @@ namespace seiche
     for (const auto &criterion : parameters.criteria)
       claim(criterion);
     grade();
+    choose_next_levels();
     bool flagged = false, shared = false;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         const auto &iterator = locator.iterator(cell);
-        if (locator.level(cell) < wanted_level[cell])
+        if (next_level[cell] > locator.level(cell))
           iterator->set_refine_flag();
-        else if (siblings_are_too_fine(cell))
+        else if (next_level[cell] < locator.level(cell))
           {
             if (siblings_are_own(cell))
               iterator->set_coarsen_flag();
@@ -189,15 +190,42 @@ namespace seiche
   }
 
   template <int dim>
-  bool
-  MeshAdaptation<dim>::siblings_are_too_fine(const unsigned int cell) const
+  void
+  MeshAdaptation<dim>::choose_next_levels()
   {
-    const unsigned int level = locator.level(cell);
-    if (level == 0 || wanted_level[cell] >= level)
-      return false;
+    next_level.resize(locator.n_cells());
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      {
+        const double level = locator.level(cell);
+        next_level[cell]   = wanted_level[cell] > level ?
+                               level + 1. :
+                               std::max(level - (wanted_level[cell] < level), 0.);
+      }
+    for (bool changed = true; changed;)
+      {
+        locator.exchange_to_ghosts(next_level);
+        changed = false;
+        for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+          if (next_level[cell] < locator.level(cell) && !may_coarsen(cell))
+            {
+              next_level[cell] = locator.level(cell);
+              changed          = true;
+            }
+        changed = Utilities::MPI::max(changed ? 1 : 0, communicator) == 1;
+      }
+  }
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::may_coarsen(const unsigned int cell) const
+  {
+    const double level = locator.level(cell);
+    for (const unsigned int other : locator.vertex_neighbors(cell))
+      if (next_level[other] > level)
+        return false;
     const auto parent = locator.iterator(cell)->parent();
     for (const auto &child : parent->child_iterators())
-      if (!child->is_active() || wanted_level[locator.index(child)] >= level)
+      if (!child->is_active() || next_level[locator.index(child)] >= level)
         return false;
     return true;
   }

@@ -68,8 +68,13 @@ namespace seiche
     /// forest does as it is told.
     void
     grade();
+    /// What a pass makes of wanted_level: one level up or down. A family
+    /// coarsens as a whole, and not beside a cell that stays too fine for it;
+    /// flags that the forest refuses would cost as much as those it obeys.
+    void
+    choose_next_levels();
     bool
-    siblings_are_too_fine(const unsigned int cell) const;
+    may_coarsen(const unsigned int cell) const;
     bool
     siblings_are_own(const unsigned int cell) const;
     unsigned int
@@ -87,6 +92,7 @@ namespace seiche
     // own cells and ghosts (at_surface: own cells)
     std::vector<char>   holds_fluid, at_surface;
     std::vector<double> wanted_level; // forest level; for the exchange double
+    std::vector<double> next_level;   // after the pass
   };
 } // namespace seiche
 
