@@ -128,7 +128,7 @@ namespace seiche
     // every rank takes part in the exchange, also when a point is lost here
     if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
       migrate(emigrants);
-    if (census.moved || size() > census.n_before)
+    if (census.moved || size() > census.n_before || cell_begin.empty())
       sort();
     account(census);
   }
@@ -140,6 +140,7 @@ namespace seiche
   PointCloud<dim>::relocate()
   {
     std::fill(point_cells.begin(), point_cells.end(), invalid);
+    cell_begin.clear(); // of other cells; also where there is no point
     locate();
   }
 

@@ -75,7 +75,9 @@ namespace seiche
     const unsigned int n    = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
     const std::string  path = settings.directory + "/";
-    const std::string  stem = next_name();
+    if (frames == 0)
+      remove_earlier_run({".vtu", ".pvtu"});
+    const std::string stem = next_name();
 
     // VTK refuses a piece without cells: only ranks with data write one
     const std::vector<int> filled =
@@ -137,6 +139,16 @@ namespace seiche
   }
 
   void
+  FrameSeries::remove_earlier_run(
+    const std::vector<std::string> &extensions) const
+  {
+    on_all_ranks([&]() {
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        remove_later_frames(extensions);
+    });
+  }
+
+  void
   FrameSeries::remove_later_frames(
     const std::vector<std::string> &extensions) const
   {
@@ -164,6 +176,8 @@ namespace seiche
     const std::string                         &extension,
     const std::function<void(std::ostream &)> &fill)
   {
+    if (frames == 0)
+      remove_earlier_run({"." + extension});
     const std::string file =
       settings.directory + "/" + next_name() + "." + extension;
     on_all_ranks([&]() {

@@ -78,7 +78,7 @@ namespace seiche
     prm.add_parameter("Face",
                       face,
                       "Of obstacles: count the normal force on this face only. "
-                      "Sides of the domain do not take part.",
+                      "For obstacles only.",
                       Patterns::Selection(dim == 2 ?
                                             "all|left|right|bottom|top" :
                                             "all|left|right|front|back|"
@@ -108,6 +108,12 @@ namespace seiche
                       "there is no wall \"" + *wall + "\"" +
                         (hint.empty() ? "." : hint) + " Walls are " +
                         quoted_list(known) + ".");
+        const auto id = std::find(known.begin(), known.end(), *wall);
+        input.require(face == "all" || id - known.begin() >= 2 * dim,
+                      std::string(kind) + " " + name + "/Face",
+                      "the wall \"" + *wall +
+                        "\" is a side of the domain, and only obstacles have "
+                        "faces; set it to \"all\" or name obstacles alone.");
         input.require(std::find(walls.begin(), wall, *wall) == wall,
                       path,
                       "the wall \"" + *wall +

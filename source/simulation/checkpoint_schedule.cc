@@ -74,12 +74,29 @@ namespace seiche
               (parameters.every_wall_time > 0. &&
                wall_clock() - last_time >= parameters.every_wall_time)))
       request = CheckpointRequest::write;
-    // a signal may have reached one rank only
-    if (stop_signal::received() || (is_first_rank && exists(stop_file)))
+    if (asked_to_stop())
       request = CheckpointRequest::write_and_stop;
     return static_cast<CheckpointRequest>(
       dealii::Utilities::MPI::max(static_cast<unsigned int>(request),
                                   communicator));
+  }
+
+
+
+  bool
+  CheckpointSchedule::stop_is_wanted() const
+  {
+    return dealii::Utilities::MPI::max(asked_to_stop() ? 1 : 0, communicator) ==
+           1;
+  }
+
+
+
+  bool
+  CheckpointSchedule::asked_to_stop() const
+  {
+    // a signal may have reached one rank only
+    return stop_signal::received() || (is_first_rank && exists(stop_file));
   }
 
 

@@ -83,7 +83,12 @@ namespace seiche
     begin();
     while (!time_stepper.finished())
       {
-        step();
+        if (!step(schedule))
+          {
+            write_checkpoint(folder);
+            schedule.done();
+            return RunOutcome::stopped;
+          }
         postprocess();
         const CheckpointRequest request =
           schedule.after_step(time_stepper.steps());
@@ -110,6 +115,12 @@ namespace seiche
     if (start != nullptr)
       {
         save_or_load(start->state());
+        scene.input.require(
+          time_stepper.time() <= (1. + 1e-9) * scene.time.end_time,
+          "Time/End time",
+          fmt::format("the checkpoint is at {:.6g} s already; "
+                      "set a later time",
+                      time_stepper.time()));
         return;
       }
     find_material();
@@ -120,8 +131,8 @@ namespace seiche
   }
 
   template <int dim>
-  void
-  Simulation<dim>::step()
+  bool
+  Simulation<dim>::step(const CheckpointSchedule &schedule)
   {
     const TimerTree::Scope scope(timer, "step");
     if (time_stepper.steps() > 0)
@@ -136,6 +147,8 @@ namespace seiche
         report.warn("a step was repeated with half its size",
                     fmt::format("t = {:.6g} s: {}", state.time, failure));
         state.dt = time_stepper.repeat(failure);
+        if (schedule.stop_is_wanted())
+          return false;
       }
     {
       const TimerTree::Scope scope_back(timer, "grid to points");
@@ -145,6 +158,7 @@ namespace seiche
     time_stepper.accept();
     newton_total += last.iterations;
     krylov_total += last.krylov_iterations;
+    return true;
   }
 
   template <int dim>

@@ -141,6 +141,10 @@ def refused(make, folder, _):
     assert not os.path.exists(parts)
     program.run_until(parts, "0.25")
 
+    text = program.run(parts, "--restart", "--set", "Time/End time = 0.1",
+                       code=2)
+    assert '"End time"' in text and "already" in text, text
+
     text = make(SCENE_2D, 1, ["Fluid/Density = 900"]).run(
         parts, "--restart", code=4)
     assert text.count("another scene") == 2 and '"Fluid/Density"' in text, text

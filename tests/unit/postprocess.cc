@@ -377,6 +377,7 @@ main(int argc, char **argv)
   run<2>(false);
   for (const char *entry : {"Force box/Walls = left, bottem",
                             "Force box/Walls = left, left",
+                            "Force box/Face = top",
                             "Probe inside/Position = 2, 0.3",
                             "Probe inside/Position = 0.9, 0.9",
                             "Probe sensor/Diameter = 0.8",

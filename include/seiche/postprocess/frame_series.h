@@ -68,6 +68,10 @@ namespace seiche
     void
     remove_later_frames(const std::vector<std::string> &extensions) const;
 
+    /// Remove all frames before the first one is written. Collective.
+    void
+    remove_earlier_run(const std::vector<std::string> &extensions) const;
+
     /// Rewrite NAME.pvd. Rank 0.
     void
     write_index() const;

@@ -47,12 +47,21 @@ namespace seiche
     CheckpointRequest
     after_step(const unsigned int step) const;
 
+    /// True if the run is asked to stop; between two tries of a step, which
+    /// may take long. Collective.
+    bool
+    stop_is_wanted() const;
+
     /// What was asked for is done: the next waiting time begins, and the files
     /// that asked for it are removed. Local.
     void
     done();
 
   private:
+    /// Of this rank. Local.
+    bool
+    asked_to_stop() const;
+
     const CheckpointParameters parameters;
     const std::string          write_file, stop_file;
     const MPI_Comm             communicator;

@@ -63,8 +63,10 @@ namespace seiche
     void
     begin();
 
-    void
-    step();
+    /// False if the run was asked to stop while a step was being repeated: the
+    /// points are as they were at its start.
+    bool
+    step(const CheckpointSchedule &schedule);
 
     /// Occupied cells, fill, nodal fields of the points where they are.
     void
