@@ -127,6 +127,7 @@ namespace seiche
     prepare_start();
     state.velocity_np1 = state.velocity_n; // what the first frame shows
     state.velocity_np1.update_ghost_values();
+    state.solution.update_ghost_values();
     postprocess();
   }
 
