@@ -85,7 +85,6 @@ namespace seiche
           share_out(/*at_once=*/true);
         else if (!adapted)
           break;
-        find_fluid();
       }
     return changed;
   }
@@ -167,6 +166,7 @@ namespace seiche
       return false;
     locator.reinit();
     points.relocate();
+    find_fluid(); // the flags of cells are those of this mesh again
     return true;
   }
 

@@ -202,6 +202,32 @@ namespace
     print_levels("moved up by 0.4, cells by level:", locator);
     print("points ", points.n_global(), ", nodes ", occupancy.n_global_nodes());
   }
+
+  /// Deep fluid that may coarsen over several levels: families of cells must be
+  /// whole on a rank before they can, so the levels depend on no partition.
+  template <int dim>
+  void
+  test_coarsening()
+  {
+    const std::string zero = dim == 3 ? ", 0" : "",
+                      one  = dim == 3 ? ", 1.6" : "";
+    const SceneFromText<dim> scene(
+      "subsection Grid\n set Lower corner = 0, 0" + zero +
+      "\n set Upper corner = 1.6, 1.6" + one + "\n set Break points " +
+      (dim == 3 ? "z" : "y") +
+      " = 0.4\n set Cell size = 0.1\nend\n"
+      "subsection Fluid body a\n set Lower corner = 0, 0" +
+      zero + "\n set Upper corner = 1.6, " + (dim == 3 ? "1.6, 1.5" : "1.5") +
+      "\nend\nsubsection Points\n set Per cell and direction = 1\nend\n"
+      "subsection Refinement surface\n set Criterion = free surface\n"
+      "set Level = 1\nend\n");
+    BackgroundGrid<dim> grid(scene.grid_parameters, communicator);
+    CellLocator<dim>    locator(grid);
+    PointCloud<dim>     points(locator, {}, communicator);
+    seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
+    MeshAdaptation<dim> adaptation(grid, locator, points);
+    print_levels("deep fluid, cells by forest level:", locator);
+  }
 } // namespace
 
 int
@@ -210,4 +236,6 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test<2>();
   test<3>();
+  test_coarsening<2>();
+  test_coarsening<3>();
 }
