@@ -78,43 +78,26 @@ WRAP(wait,
 WRAP(wait, Probe, (int s, int tag, MPI_Comm c, MPI_Status *u), (s, tag, c, u), 0.)
 WRAP(wait, Test, (MPI_Request * r, int *f, MPI_Status *u), (r, f, u), 0.)
 
+#define REDUCE_PARAMETERS \
+  (const void *s, void *r, int n, MPI_Datatype t, MPI_Op o, MPI_Comm c)
+#define GATHER_PARAMETERS                                             \
+  (const void *s, int n, MPI_Datatype t, void *r, int m, MPI_Datatype u, \
+   MPI_Comm c)
 WRAP(collective, Barrier, (MPI_Comm c), (c), 0.)
 WRAP(collective,
      Bcast,
      (void *b, int n, MPI_Datatype t, int root, MPI_Comm c),
      (b, n, t, root, c),
      size_of(n, t))
-WRAP(collective,
-     Allreduce,
-     (const void *s, void *r, int n, MPI_Datatype t, MPI_Op o, MPI_Comm c),
-     (s, r, n, t, o, c),
-     size_of(n, t))
+WRAP(collective, Allreduce, REDUCE_PARAMETERS, (s, r, n, t, o, c), size_of(n, t))
 WRAP(collective,
      Reduce,
      (const void *s, void *r, int n, MPI_Datatype t, MPI_Op o, int root, MPI_Comm c),
      (s, r, n, t, o, root, c),
      size_of(n, t))
-WRAP(collective,
-     Scan,
-     (const void *s, void *r, int n, MPI_Datatype t, MPI_Op o, MPI_Comm c),
-     (s, r, n, t, o, c),
-     size_of(n, t))
-WRAP(collective,
-     Exscan,
-     (const void *s, void *r, int n, MPI_Datatype t, MPI_Op o, MPI_Comm c),
-     (s, r, n, t, o, c),
-     size_of(n, t))
-WRAP(collective,
-     Allgather,
-     (const void *s,
-      int          n,
-      MPI_Datatype t,
-      void        *r,
-      int          m,
-      MPI_Datatype u,
-      MPI_Comm     c),
-     (s, n, t, r, m, u, c),
-     size_of(n, t))
+WRAP(collective, Scan, REDUCE_PARAMETERS, (s, r, n, t, o, c), size_of(n, t))
+WRAP(collective, Exscan, REDUCE_PARAMETERS, (s, r, n, t, o, c), size_of(n, t))
+WRAP(collective, Allgather, GATHER_PARAMETERS, (s, n, t, r, m, u, c), size_of(n, t))
 WRAP(collective,
      Allgatherv,
      (const void  *s,
@@ -139,22 +122,8 @@ WRAP(collective,
       MPI_Comm     c),
      (s, n, t, r, m, u, root, c),
      size_of(n, t))
-WRAP(collective,
-     Alltoall,
-     (const void *s,
-      int          n,
-      MPI_Datatype t,
-      void        *r,
-      int          m,
-      MPI_Datatype u,
-      MPI_Comm     c),
-     (s, n, t, r, m, u, c),
-     size_of(n, t))
-WRAP(collective,
-     Reduce_scatter_block,
-     (const void *s, void *r, int n, MPI_Datatype t, MPI_Op o, MPI_Comm c),
-     (s, r, n, t, o, c),
-     size_of(n, t))
+WRAP(collective, Alltoall, GATHER_PARAMETERS, (s, n, t, r, m, u, c), size_of(n, t))
+WRAP(collective, Reduce_scatter_block, REDUCE_PARAMETERS, (s, r, n, t, o, c), size_of(n, t))
 WRAP(collective, Comm_dup, (MPI_Comm c, MPI_Comm *d), (c, d), 0.)
 
 int

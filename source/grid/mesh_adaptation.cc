@@ -33,6 +33,26 @@ namespace seiche
                            b.lower_bound(d) - a.upper_bound(d)});
       return result;
     }
+
+    /// f(cell), true if it changed the cell's value, for all own cells again
+    /// and again until no rank changes anything. Collective.
+    template <int dim, typename Function>
+    void
+    until_settled(const CellLocator<dim> &locator,
+                  std::vector<double>    &values,
+                  const Function         &f)
+    {
+      const MPI_Comm communicator =
+        locator.grid.triangulation.get_communicator();
+      for (bool changed = true; changed;)
+        {
+          locator.exchange_to_ghosts(values);
+          changed = false;
+          for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+            changed = f(cell) || changed;
+          changed = Utilities::MPI::max(changed ? 1 : 0, communicator) == 1;
+        }
+    }
   } // namespace
 
   template <int dim>
@@ -174,19 +194,13 @@ namespace seiche
   void
   MeshAdaptation<dim>::grade()
   {
-    for (bool changed = true; changed;)
-      {
-        locator.exchange_to_ghosts(wanted_level);
-        changed = false;
-        for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-          for (const unsigned int other : locator.vertex_neighbors(cell))
-            if (wanted_level[other] - 1. > wanted_level[cell])
-              {
-                wanted_level[cell] = wanted_level[other] - 1.;
-                changed            = true;
-              }
-        changed = Utilities::MPI::max(changed ? 1 : 0, communicator) == 1;
-      }
+    until_settled(locator, wanted_level, [&](const unsigned int cell) {
+      const double before = wanted_level[cell];
+      for (const unsigned int other : locator.vertex_neighbors(cell))
+        wanted_level[cell] =
+          std::max(wanted_level[cell], wanted_level[other] - 1.);
+      return wanted_level[cell] != before;
+    });
   }
 
   template <int dim>
@@ -197,22 +211,16 @@ namespace seiche
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         const double level = locator.level(cell);
-        next_level[cell]   = wanted_level[cell] > level ?
-                               level + 1. :
-                               std::max(level - (wanted_level[cell] < level), 0.);
+        next_level[cell] =
+          std::clamp(wanted_level[cell], level - 1., level + 1.);
       }
-    for (bool changed = true; changed;)
-      {
-        locator.exchange_to_ghosts(next_level);
-        changed = false;
-        for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-          if (next_level[cell] < locator.level(cell) && !may_coarsen(cell))
-            {
-              next_level[cell] = locator.level(cell);
-              changed          = true;
-            }
-        changed = Utilities::MPI::max(changed ? 1 : 0, communicator) == 1;
-      }
+    until_settled(locator, next_level, [&](const unsigned int cell) {
+      const double level = locator.level(cell);
+      if (next_level[cell] >= level || may_coarsen(cell))
+        return false;
+      next_level[cell] = level;
+      return true;
+    });
   }
 
   template <int dim>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/component_partitioner.h>
 #include <seiche/grid/occupancy.h>
 #include <seiche/utilities/compatibility.h>
 
@@ -249,26 +250,20 @@ namespace seiche
           static_cast<types::global_dof_index>(compact.local_element(i)), i);
     std::sort(ghosts.begin(), ghosts.end());
 
-    std::vector<types::global_dof_index> ghost_nodes, ghost_components;
+    std::vector<types::global_dof_index> ghost_nodes;
     for (const auto &[global, full] : ghosts)
       {
         full_of_compact.push_back(full);
         ghost_nodes.push_back(global);
-        for (unsigned int c = 0; c < dim; ++c)
-          ghost_components.push_back(dim * global + c);
       }
-
-    const auto make_partitioner =
-      [&](const unsigned int                          components,
-          const std::vector<types::global_dof_index> &ghost_indices) {
-        IndexSet own(components * n_global), ghost(components * n_global);
-        own.add_range(components * begin, components * (begin + n_own));
-        ghost.add_indices(ghost_indices.begin(), ghost_indices.end());
-        return std::make_shared<const Utilities::MPI::Partitioner>(
-          own, ghost, communicator);
-      };
-    node_partitioner      = make_partitioner(1, ghost_nodes);
-    component_partitioner = make_partitioner(dim, ghost_components);
+    IndexSet own_set(n_global), ghost_set(n_global);
+    own_set.add_range(begin, begin + n_own);
+    ghost_set.add_indices(ghost_nodes.begin(), ghost_nodes.end());
+    node_partitioner =
+      std::make_shared<const Utilities::MPI::Partitioner>(own_set,
+                                                          ghost_set,
+                                                          communicator);
+    vector_layout = component_partitioner(*node_partitioner, dim);
 
     std::vector<unsigned int> compact_of_full(used.size(), invalid);
     for (unsigned int i = 0; i < full_of_compact.size(); ++i)

@@ -39,8 +39,13 @@ namespace seiche
   }
 
   std::string
-  FrameSeries::next_name()
+  FrameSeries::next_name(const std::vector<std::string> &extensions)
   {
+    if (frames == 0)
+      on_all_ranks([&]() {
+        if (Utilities::MPI::this_mpi_process(communicator) == 0)
+          remove_later_frames(extensions);
+      });
     return fmt::format("{}_{:06d}", name, frames++);
   }
 
@@ -75,9 +80,7 @@ namespace seiche
     const unsigned int n    = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
     const std::string  path = settings.directory + "/";
-    if (frames == 0)
-      remove_earlier_run({".vtu", ".pvtu"});
-    const std::string stem = next_name();
+    const std::string  stem = next_name({".vtu", ".pvtu"});
 
     // VTK refuses a piece without cells: only ranks with data write one
     const std::vector<int> filled =
@@ -139,16 +142,6 @@ namespace seiche
   }
 
   void
-  FrameSeries::remove_earlier_run(
-    const std::vector<std::string> &extensions) const
-  {
-    on_all_ranks([&]() {
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        remove_later_frames(extensions);
-    });
-  }
-
-  void
   FrameSeries::remove_later_frames(
     const std::vector<std::string> &extensions) const
   {
@@ -176,10 +169,8 @@ namespace seiche
     const std::string                         &extension,
     const std::function<void(std::ostream &)> &fill)
   {
-    if (frames == 0)
-      remove_earlier_run({"." + extension});
     const std::string file =
-      settings.directory + "/" + next_name() + "." + extension;
+      settings.directory + "/" + next_name({"." + extension}) + "." + extension;
     on_all_ranks([&]() {
       if (Utilities::MPI::this_mpi_process(communicator) == 0)
         checked_file::write(file, fill);

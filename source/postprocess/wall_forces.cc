@@ -77,8 +77,8 @@ namespace seiche
                       /*has_to_be_set=*/true);
     prm.add_parameter("Face",
                       face,
-                      "Of obstacles: count the normal force on this face only. "
-                      "For obstacles only.",
+                      "For obstacles only: count the normal force on this "
+                      "face alone.",
                       Patterns::Selection(dim == 2 ?
                                             "all|left|right|bottom|top" :
                                             "all|left|right|front|back|"
@@ -102,13 +102,12 @@ namespace seiche
     for (auto wall = walls.begin(); wall != walls.end(); ++wall)
       {
         const std::string hint = nearest_hint(*wall, known);
-        input.require(std::find(known.begin(), known.end(), *wall) !=
-                        known.end(),
+        const auto        id   = std::find(known.begin(), known.end(), *wall);
+        input.require(id != known.end(),
                       path,
                       "there is no wall \"" + *wall + "\"" +
                         (hint.empty() ? "." : hint) + " Walls are " +
                         quoted_list(known) + ".");
-        const auto id = std::find(known.begin(), known.end(), *wall);
         input.require(face == "all" || id - known.begin() >= 2 * dim,
                       std::string(kind) + " " + name + "/Face",
                       "the wall \"" + *wall +

@@ -83,15 +83,12 @@ namespace seiche
     begin();
     while (!time_stepper.finished())
       {
-        if (!step(schedule))
-          {
-            write_checkpoint(folder);
-            schedule.done();
-            return RunOutcome::stopped;
-          }
-        postprocess();
+        const bool done = step(schedule);
+        if (done)
+          postprocess();
         const CheckpointRequest request =
-          schedule.after_step(time_stepper.steps());
+          done ? schedule.after_step(time_stepper.steps()) :
+                 CheckpointRequest::write_and_stop;
         if (request == CheckpointRequest::none)
           continue;
         write_checkpoint(folder);

@@ -25,6 +25,17 @@ namespace seiche
 
     /// A shift that makes the singular Laplacian of a closed box definite.
     constexpr double closed_shift = 1e-7;
+
+    /// Settings of both hierarchies.
+    TrilinosWrappers::PreconditionAMG::AdditionalData
+    amg_settings()
+    {
+      TrilinosWrappers::PreconditionAMG::AdditionalData data;
+      data.elliptic              = true;
+      data.smoother_sweeps       = 2;
+      data.aggregation_threshold = 1e-4;
+      return data;
+    }
   } // namespace
 
   template <int dim>
@@ -82,7 +93,6 @@ namespace seiche
         kept            = true;
         return;
       }
-    ilu.reset();
     velocity_amg.reset();
     if (stiffness < mass_dominated_below)
       make_ilu();
@@ -96,14 +106,12 @@ namespace seiche
   void
   BlockPreconditioner<dim>::make_ilu()
   {
-    ilu = std::make_unique<BlockILU<dim>>();
     for (const double factor : ilu_diagonal_factors)
       {
-        ilu->initialize(*matrix, factor);
-        if (ilu->growth(*matrix) < ilu_unstable_above)
+        ilu.initialize(*matrix, factor);
+        if (ilu.growth(*matrix) < ilu_unstable_above)
           return;
       }
-    ilu.reset();
     make_velocity_amg();
   }
 
@@ -112,12 +120,9 @@ namespace seiche
   BlockPreconditioner<dim>::make_velocity_amg()
   {
     const FieldRange displacement = {0, dim};
-    velocity_matrix = epetra_copy(*matrix, displacement, displacement);
-    TrilinosWrappers::PreconditionAMG::AdditionalData data;
-    data.elliptic              = true;
-    data.smoother_sweeps       = 2;
-    data.aggregation_threshold = 1e-4;
-    const unsigned int n       = velocity_matrix->NumMyRows();
+    velocity_matrix         = epetra_copy(*matrix, displacement, displacement);
+    const unsigned int n    = velocity_matrix->NumMyRows();
+    auto               data = amg_settings();
     data.constant_modes.assign(dim, std::vector<bool>(n, false));
     for (unsigned int i = 0; i < n; ++i)
       data.constant_modes[i % dim][i] = true;
@@ -185,12 +190,8 @@ namespace seiche
         for (int i = 0; i < schur->NumMyRows(); ++i)
           diagonal_entry(*schur, i) *= 1. + closed_shift;
       }
-    TrilinosWrappers::PreconditionAMG::AdditionalData data;
-    data.elliptic              = true;
-    data.smoother_sweeps       = 2;
-    data.aggregation_threshold = 1e-4;
     schur_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
-    schur_amg->initialize(*schur, data);
+    schur_amg->initialize(*schur, amg_settings());
     schur_generation = matrix->generation();
   }
 
@@ -203,8 +204,7 @@ namespace seiche
     x.block(1).reinit(matrix->occupancy.scalar_partitioner());
     x.collect_sizes();
     y.reinit(x);
-    for (double &value : x.block(1))
-      value = 1.;
+    x.block(1) = 1.;
     matrix->gradient(x.block(0), x.block(1));
     x.block(1)               = 0.;
     const unsigned int n_own = matrix->occupancy.n_own_nodes();
@@ -224,7 +224,7 @@ namespace seiche
     if (velocity_amg)
       velocity_amg->vmult(z, r);
     else
-      ilu->vmult(z, r);
+      ilu.vmult(z, r);
     if (velocity_factor != 1.)
       z *= velocity_factor;
   }

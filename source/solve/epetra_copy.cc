@@ -29,56 +29,55 @@ namespace seiche
           indices.push_back(pattern.global_column(i) * n_fields + c);
       return Epetra_Map(-1, indices.size(), indices.data(), 0, communicator);
     };
-    const auto is_stored = [&](const unsigned int entry,
-                               const unsigned int r,
-                               const unsigned int c) {
-      return matrix.value(entry, rows.first + r, columns.first + c) != 0.;
-    };
+    const Epetra_Map row_map    = make_map(n_own, rows.n);
+    const Epetra_Map domain_map = make_map(n_own, columns.n);
     const bool square = rows.first == columns.first && rows.n == columns.n;
 
-    const auto for_each_entry = [&](const int row, const auto &f) {
-      const unsigned int node = row / rows.n, r = row % rows.n;
-      const auto         visit = [&](const unsigned int k) {
-        for (unsigned int c = 0; c < columns.n; ++c)
-          if (is_stored(k, r, c) ||
-              (square && r == c && pattern.column_of(k) == node))
-            f(pattern.column_of(k) * columns.n + c,
-              factor * matrix.value(k, rows.first + r, columns.first + c));
-      };
-      if (matrix.is_empty(node))
-        visit(pattern.diagonal_of(node));
-      else
-        for (unsigned int k = pattern.row_begin(node);
-             k < pattern.row_begin(node + 1);
-             ++k)
-          visit(k);
-    };
-    std::vector<int> lengths(n_own * rows.n, 0);
-    for (unsigned int row = 0; row < lengths.size(); ++row)
-      for_each_entry(row, [&](const int, const double) { ++lengths[row]; });
+    std::vector<int>    lengths, indices;
+    std::vector<double> values;
+    for (unsigned int node = 0; node < n_own; ++node)
+      for (unsigned int r = 0; r < rows.n; ++r)
+        {
+          const std::size_t before = indices.size();
+          const auto        visit  = [&](const unsigned int entry) {
+            const unsigned int column = pattern.column_of(entry);
+            for (unsigned int c = 0; c < columns.n; ++c)
+              {
+                const double value =
+                  matrix.value(entry, rows.first + r, columns.first + c);
+                if (value == 0. && !(square && column == node && r == c))
+                  continue;
+                indices.push_back(column * columns.n + c);
+                values.push_back(factor * value);
+              }
+          };
+          if (matrix.is_empty(node))
+            visit(pattern.diagonal_of(node));
+          else
+            for (unsigned int k = pattern.row_begin(node);
+                 k < pattern.row_begin(node + 1);
+                 ++k)
+              visit(k);
+          lengths.push_back(indices.size() - before);
+        }
+
     auto result =
       std::make_unique<Epetra_CrsMatrix>(Copy,
-                                         make_map(n_own, rows.n),
+                                         row_map,
                                          make_map(pattern.n_columns(),
                                                   columns.n),
                                          lengths.data(),
                                          /*StaticProfile=*/true);
-    std::vector<int>    indices;
-    std::vector<double> values;
+    std::size_t begin = 0;
     for (unsigned int row = 0; row < lengths.size(); ++row)
       {
-        indices.clear();
-        values.clear();
-        for_each_entry(row, [&](const int column, const double value) {
-          indices.push_back(column);
-          values.push_back(value);
-        });
         result->InsertMyValues(row,
-                               indices.size(),
-                               values.data(),
-                               indices.data());
+                               lengths[row],
+                               &values[begin],
+                               &indices[begin]);
+        begin += lengths[row];
       }
-    result->FillComplete(make_map(n_own, columns.n), make_map(n_own, rows.n));
+    result->FillComplete(domain_map, row_map);
     result->OptimizeStorage();
     return result;
   }

@@ -27,17 +27,6 @@ namespace
     return dealii::Utilities::MPI::max(value, communicator);
   }
 
-  template <typename... T>
-  void
-  print(const T &...items)
-  {
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        (std::cout << ... << items);
-        std::cout << std::endl;
-      }
-  }
-
   /// Fluid in a corner of a box of cells 0.2; three levels, an obstacle, and a
   /// box that forces a level jump through the surface.
   template <int dim>

@@ -18,17 +18,6 @@ namespace
 
   const MPI_Comm communicator = MPI_COMM_WORLD;
 
-  template <typename... T>
-  void
-  print(const T &...items)
-  {
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        (std::cout << ... << items);
-        std::cout << std::endl;
-      }
-  }
-
   const char *
   is_small(const double error, const double bound)
   {

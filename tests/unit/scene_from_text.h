@@ -16,6 +16,18 @@
 #include <string>
 #include <vector>
 
+/// The items on one line, from the first rank.
+template <typename... T>
+void
+print(const T &...items)
+{
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      (std::cout << ... << items);
+      std::cout << std::endl;
+    }
+}
+
 /// A parameter file with the text of a test; one per rank.
 inline std::string
 file_with(const std::string &text)

@@ -155,7 +155,7 @@ namespace seiche
     const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &
     vector_partitioner() const
     {
-      return component_partitioner;
+      return vector_layout;
     }
 
     /// Bit c is set if component c of the displacement is fixed by a wall.
@@ -262,8 +262,7 @@ namespace seiche
     std::vector<unsigned int> compact_cell_nodes;
     std::vector<unsigned int> full_of_compact;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> node_partitioner;
-    std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
-      component_partitioner;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> vector_layout;
   };
   template <int dim>
   template <typename Predicate, typename Function>

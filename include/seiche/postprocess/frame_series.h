@@ -68,10 +68,6 @@ namespace seiche
     void
     remove_later_frames(const std::vector<std::string> &extensions) const;
 
-    /// Remove all frames before the first one is written. Collective.
-    void
-    remove_earlier_run(const std::vector<std::string> &extensions) const;
-
     /// Rewrite NAME.pvd. Rank 0.
     void
     write_index() const;
@@ -80,9 +76,11 @@ namespace seiche
     void
     on_all_ranks(const std::function<void()> &action) const;
 
-    /// "NAME_000012", and on to the next number.
+    /// "NAME_000012", and on to the next number; before the first one the
+    /// frames of an earlier run, files with the @p extensions, are removed.
+    /// Collective.
     std::string
-    next_name();
+    next_name(const std::vector<std::string> &extensions);
 
     const std::string   name;
     const FrameSettings settings;

@@ -88,8 +88,7 @@ namespace seiche
     void
     apply_to_velocity(Vector &z, const Vector &r) const;
 
-    // one of the two
-    std::unique_ptr<BlockILU<dim>>                             ilu;
+    BlockILU<dim> ilu; ///< P_A where there is no velocity_amg
     std::unique_ptr<Epetra_CrsMatrix>                          velocity_matrix;
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> velocity_amg;
 
