@@ -8,16 +8,16 @@ namespace seiche
 
   namespace
   {
-    template <int dim>
+    template <int dim, int degree>
     struct PointState
     {
       double         volume_t, J_1;
       Tensor<2, dim> velocity_gradient, stress;
 
-      PointState(const CellData<dim>        &cell,
-                 const PointKinematics<dim> &point,
-                 const unsigned int          q,
-                 const MaterialConstants    &material)
+      PointState(const CellData<dim, degree>        &cell,
+                 const PointKinematics<dim, degree> &point,
+                 const unsigned int                  q,
+                 const MaterialConstants            &material)
       {
         // finite kappa needs the whole volume error: no relaxation here
         const double J_n = cell.quadrature.volume_ratio[q];
@@ -45,43 +45,74 @@ namespace seiche
 
   template <int dim>
   void
-  Displacement<dim>::residual(CellData<dim> &cell) const
+  Displacement<dim>::residual(CellData<dim, 1> &cell) const
+  {
+    add_residual(cell);
+  }
+
+  template <int dim>
+  void
+  Displacement<dim>::residual(CellData<dim, 2> &cell) const
+  {
+    add_residual(cell);
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  Displacement<dim>::add_residual(CellData<dim, degree> &cell) const
   {
     cell.clear_residual();
-    PointKinematics<dim> point;
+    PointKinematics<dim, degree> point;
     for (unsigned int q = 0; q < cell.quadrature.size; ++q)
       {
         point.evaluate(cell, q, /*with_end=*/false);
-        const PointState<dim> state(cell, point, q, this->material);
-        MomentumTerms<dim>::add_residual(cell,
-                                         point,
-                                         cell.quadrature.mass[q],
-                                         state.volume_t,
-                                         point.value(cell.acceleration),
-                                         cell.body_force_at(q),
-                                         state.stress);
+        const PointState<dim, degree> state(cell, point, q, this->material);
+        MomentumTerms<dim, degree>::add_residual(cell,
+                                                 point,
+                                                 cell.quadrature.mass[q],
+                                                 state.volume_t,
+                                                 point.value(cell.acceleration),
+                                                 cell.body_force_at(q),
+                                                 state.stress);
       }
   }
 
   template <int dim>
   void
-  Displacement<dim>::tangent(CellData<dim> &cell) const
+  Displacement<dim>::tangent(CellData<dim, 1> &cell) const
+  {
+    add_tangent(cell);
+  }
+
+  template <int dim>
+  void
+  Displacement<dim>::tangent(CellData<dim, 2> &cell) const
+  {
+    add_tangent(cell);
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  Displacement<dim>::add_tangent(CellData<dim, degree> &cell) const
   {
     cell.clear_tangent();
     const double viscosity = this->material.viscosity(cell.coefficients);
-    PointKinematics<dim> point;
+    PointKinematics<dim, degree> point;
     for (unsigned int q = 0; q < cell.quadrature.size; ++q)
       {
         point.evaluate(cell, q, /*with_end=*/true);
-        const PointState<dim> state(cell, point, q, this->material);
-        MomentumTerms<dim>::add_tangent(cell,
-                                        point,
-                                        cell.quadrature.mass[q],
-                                        state.volume_t,
-                                        viscosity,
-                                        this->material.bulk_modulus * state.J_1,
-                                        state.velocity_gradient,
-                                        state.stress);
+        const PointState<dim, degree> state(cell, point, q, this->material);
+        MomentumTerms<dim, degree>::add_tangent(cell,
+                                                point,
+                                                cell.quadrature.mass[q],
+                                                state.volume_t,
+                                                viscosity,
+                                                this->material.bulk_modulus *
+                                                  state.J_1,
+                                                state.velocity_gradient,
+                                                state.stress);
       }
   }
 

@@ -2,6 +2,8 @@
 #include <seiche/formulation/displacement_pressure_vms.h>
 #include <seiche/formulation/momentum_terms.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 
 namespace seiche
@@ -16,7 +18,7 @@ namespace seiche
     constexpr double largest_recovery = 0.25;
 
     /// Fields and subscales at one quadrature point (doc/theory.md, VMS).
-    template <int dim>
+    template <int dim, int degree>
     struct PointState
     {
       double         volume_n, volume_t, J_1, rho_t;
@@ -24,12 +26,14 @@ namespace seiche
       double         fine_pressure; // p~ = -tau2 g
       Tensor<1, dim> acceleration, pressure_gradient, momentum_residual;
       Tensor<2, dim> velocity_gradient, stress; // S = s - (p + p~) I
+      Tensor<1, dim> stress_divergence;         // div s, zero for FE_Q(1)
+      Tensor<3, dim> curvature; // v_i,jk, for FE_Q(2) with viscosity
 
-      PointState(const CellData<dim>        &cell,
-                 const PointKinematics<dim> &point,
-                 const unsigned int          q,
-                 const MaterialConstants    &material,
-                 const Tau                  &tau)
+      PointState(const CellData<dim, degree>  &cell,
+                 PointKinematics<dim, degree> &point,
+                 const unsigned int            q,
+                 const MaterialConstants      &material,
+                 const Tau                    &tau)
       {
         const auto &quadrature = cell.quadrature;
         // weights use the relaxed J, never the drifted one
@@ -56,9 +60,75 @@ namespace seiche
             velocity_gradient =
               point.gradient(cell.rate_velocity, point.gradient_t);
             stress = material.law.stress(velocity_gradient);
+            if constexpr (degree > 1)
+              add_second_derivatives(cell,
+                                     point,
+                                     q,
+                                     material.law.tangent_viscosity());
           }
         for (unsigned int i = 0; i < dim; ++i)
           stress[i][i] -= pressure + fine_pressure;
+      }
+
+      /// div s_i = mu (v_i,jj + v_j,ij/3)
+      void
+      add_second_derivatives(const CellData<dim, degree>  &cell,
+                             PointKinematics<dim, degree> &point,
+                             const unsigned int            q,
+                             const double                  viscosity)
+      {
+        point.evaluate_second_derivatives(cell, q);
+        for (unsigned int j = 0; j < dim; ++j)
+          for (unsigned int k = 0; k < dim; ++k)
+            {
+              const Tensor<1, dim> v =
+                point.sum(cell.rate_velocity, point.second[j][k]);
+              for (unsigned int i = 0; i < dim; ++i)
+                curvature[i][j][k] = v[i];
+            }
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int j = 0; j < dim; ++j)
+            stress_divergence[i] +=
+              viscosity * (curvature[i][j][j] + curvature[j][i][j] / 3.);
+        momentum_residual += stress_divergence;
+      }
+
+      /// d(div s)_i for du = N_b e_k, times @p factor, into
+      /// derivative[i][k][b].
+      void
+      stress_divergence_derivative(
+        const CellData<dim, degree>        &cell,
+        const PointKinematics<dim, degree> &point,
+        const double                        factor,
+        double (&derivative)[dim][dim][CellData<dim, degree>::n_nodes]) const
+      {
+        const double theta = cell.coefficients.theta;
+        const double rate  = cell.coefficients.rate;
+        const auto  &l     = velocity_gradient;
+        const auto  &v     = curvature;
+        const auto  &g     = point.gradient_t;
+        const auto  &h     = point.second;
+        for (unsigned int b = 0; b < CellData<dim, degree>::n_nodes; ++b)
+          {
+            double laplacian = 0.;
+            for (unsigned int j = 0; j < dim; ++j)
+              laplacian += h[j][j][b];
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int k = 0; k < dim; ++k)
+                {
+                  double value =
+                    rate * h[k][i][b] / 3. - theta * l[i][k] * laplacian;
+                  if (i == k)
+                    value += rate * laplacian;
+                  for (unsigned int j = 0; j < dim; ++j)
+                    value -=
+                      theta * (2. * v[i][k][j] * g[j][b] +
+                               (l[j][k] * h[j][i][b] + v[j][k][i] * g[j][b] +
+                                v[j][j][k] * g[i][b]) /
+                                 3.);
+                  derivative[i][k][b] = factor * value;
+                }
+          }
       }
     };
   } // namespace
@@ -72,23 +142,39 @@ namespace seiche
 
   template <int dim>
   void
-  DisplacementPressureVMS<dim>::residual(CellData<dim> &cell) const
+  DisplacementPressureVMS<dim>::residual(CellData<dim, 1> &cell) const
   {
-    constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+    add_residual(cell);
+  }
+
+  template <int dim>
+  void
+  DisplacementPressureVMS<dim>::residual(CellData<dim, 2> &cell) const
+  {
+    add_residual(cell);
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  DisplacementPressureVMS<dim>::add_residual(CellData<dim, degree> &cell) const
+  {
+    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     cell.clear_residual();
-    const Tau            tau = this->tau(cell);
-    PointKinematics<dim> point;
+    const Tau                    tau = this->tau(cell);
+    PointKinematics<dim, degree> point;
     for (unsigned int q = 0; q < cell.quadrature.size; ++q)
       {
         point.evaluate(cell, q, /*with_end=*/false);
-        const PointState<dim> state(cell, point, q, this->material, tau);
-        MomentumTerms<dim>::add_residual(cell,
-                                         point,
-                                         cell.quadrature.mass[q],
-                                         state.volume_t,
-                                         state.acceleration,
-                                         cell.body_force_at(q),
-                                         state.stress);
+        const PointState<dim, degree> state(
+          cell, point, q, this->material, tau);
+        MomentumTerms<dim, degree>::add_residual(cell,
+                                                 point,
+                                                 cell.quadrature.mass[q],
+                                                 state.volume_t,
+                                                 state.acceleration,
+                                                 cell.body_force_at(q),
+                                                 state.stress);
 
         const double coarse =
           cell.quadrature.volume[q] *
@@ -111,29 +197,45 @@ namespace seiche
 
   template <int dim>
   void
-  DisplacementPressureVMS<dim>::tangent(CellData<dim> &cell) const
+  DisplacementPressureVMS<dim>::tangent(CellData<dim, 1> &cell) const
   {
-    constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+    add_tangent(cell);
+  }
+
+  template <int dim>
+  void
+  DisplacementPressureVMS<dim>::tangent(CellData<dim, 2> &cell) const
+  {
+    add_tangent(cell);
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  DisplacementPressureVMS<dim>::add_tangent(CellData<dim, degree> &cell) const
+  {
+    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     cell.clear_tangent();
     const Tau    tau       = this->tau(cell);
     const double viscosity = this->material.viscosity(cell.coefficients);
     const double theta     = cell.coefficients.theta;
     const double kappa     = this->material.bulk_modulus;
     const double weight_g  = 1. - tau.continuity / kappa;
-    PointKinematics<dim> point;
+    PointKinematics<dim, degree> point;
     for (unsigned int q = 0; q < cell.quadrature.size; ++q)
       {
         point.evaluate(cell, q, /*with_end=*/true);
-        const PointState<dim> state(cell, point, q, this->material, tau);
-        const double          V0 = cell.quadrature.volume[q];
-        MomentumTerms<dim>::add_tangent(cell,
-                                        point,
-                                        cell.quadrature.mass[q],
-                                        state.volume_t,
-                                        viscosity,
-                                        tau.continuity * state.J_1,
-                                        state.velocity_gradient,
-                                        state.stress);
+        const PointState<dim, degree> state(
+          cell, point, q, this->material, tau);
+        const double V0 = cell.quadrature.volume[q];
+        MomentumTerms<dim, degree>::add_tangent(cell,
+                                                point,
+                                                cell.quadrature.mass[q],
+                                                state.volume_t,
+                                                viscosity,
+                                                tau.continuity * state.J_1,
+                                                state.velocity_gradient,
+                                                state.stress);
         const auto &N = point.N;
         const auto &g = point.gradient_t;
         const auto &h = point.gradient_1;
@@ -141,13 +243,15 @@ namespace seiche
         // V_t tau1 {theta [(grad q.grad p) div du + grad q.(grad du) r
         //                  - grad p.(grad du)^T grad q] + rho C_a grad q.du}
         const double fine = cell.sliver ? 0. : state.volume_t * tau.momentum;
-        alignas(64) double gp[n_nodes], gr[n_nodes]; // grad N.grad p, grad N.r
+        alignas(64) double gp[n_nodes], gr[n_nodes]; // grad N.(grad p - div s),
+                                                     // grad N.r
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
             gp[a] = gr[a] = 0.;
             for (unsigned int j = 0; j < dim; ++j)
               {
-                gp[a] += g[j][a] * state.pressure_gradient[j];
+                gp[a] += g[j][a] * (state.pressure_gradient[j] -
+                                    state.stress_divergence[j]);
                 gr[a] += g[j][a] * state.momentum_residual[j];
               }
           }
@@ -186,6 +290,20 @@ namespace seiche
                   cell.up[i][a][b] += pressure_force * N[b];
               }
           }
+        if constexpr (degree > 1)
+          if (viscosity != 0. && fine != 0.)
+            {
+              double derivative[dim][dim][n_nodes];
+              state.stress_divergence_derivative(cell,
+                                                 point,
+                                                 fine * viscosity,
+                                                 derivative);
+              for (unsigned int k = 0; k < dim; ++k)
+                for (unsigned int i = 0; i < dim; ++i)
+                  for (unsigned int a = 0; a < n_nodes; ++a)
+                    for (unsigned int b = 0; b < n_nodes; ++b)
+                      cell.pu[k][a][b] -= g[i][a] * derivative[i][k][b];
+            }
       }
     if (cell.sliver && tau.momentum > 0.)
       sliver_tangent(cell, tau.momentum);
@@ -194,18 +312,18 @@ namespace seiche
   namespace
   {
     /// Means over the points of a sliver cell.
-    template <int dim>
+    template <int dim, int degree>
     struct SliverMeans
     {
-      static constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+      static constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
 
       double         volume = 0., mass = 0.;
       double         N[n_nodes] = {}; // mass-weighted
       Tensor<1, dim> body_force;
 
-      SliverMeans(const CellData<dim> &cell)
+      SliverMeans(const CellData<dim, degree> &cell)
       {
-        PointKinematics<dim> point;
+        PointKinematics<dim, degree> point;
         for (unsigned int q = 0; q < cell.quadrature.size; ++q)
           {
             const double m = cell.quadrature.mass[q];
@@ -222,42 +340,42 @@ namespace seiche
       }
     };
 
-    /// f(grad_n N, weight) at two Gauss points per direction; weights sum to 1.
-    template <int dim, typename Function>
+    /// f(grad_n N, weight) at degree + 1 Gauss points per direction; weights
+    /// sum to 1.
+    template <int dim, int degree, typename Function>
     void
     for_each_gauss_gradient(const Tensor<1, dim> &extent, const Function &f)
     {
-      constexpr unsigned int n_points = 1u << dim;
-      PointKinematics<dim>   point;
-      for (unsigned int q = 0; q < n_points; ++q)
+      static const QGauss<dim>     gauss(degree + 1);
+      PointKinematics<dim, degree> point;
+      for (unsigned int q = 0; q < gauss.size(); ++q)
         {
-          Point<dim> x;
-          for (unsigned int d = 0; d < dim; ++d)
-            x[d] = 0.5 + ((q >> d) & 1u ? 0.5 : -0.5) / std::sqrt(3.);
-          point.shape(x, extent);
-          f(point.gradient_n, 1. / n_points);
+          point.shape(gauss.point(q), extent);
+          f(point.gradient_n, gauss.weight(q));
         }
     }
   } // namespace
 
   template <int dim>
+  template <int degree>
   void
-  DisplacementPressureVMS<dim>::sliver_residual(CellData<dim> &cell,
-                                                const double   tau) const
+  DisplacementPressureVMS<dim>::sliver_residual(CellData<dim, degree> &cell,
+                                                const double tau) const
   {
-    constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
-    const SliverMeans<dim> mean(cell);
-    Tensor<1, dim>         force = mean.body_force;
+    constexpr unsigned int         n_nodes = CellData<dim, degree>::n_nodes;
+    const SliverMeans<dim, degree> mean(cell);
+    Tensor<1, dim>                 force = mean.body_force;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int a = 0; a < n_nodes; ++a)
         force[i] -= mean.N[a] * cell.acceleration[i][a];
     force *= mean.mass / mean.volume;
 
-    for_each_gauss_gradient(
+    for_each_gauss_gradient<dim, degree>(
       cell.extent,
       [&](const double(&gradient)[dim][n_nodes], const double weight) {
         const Tensor<1, dim> r =
-          force - PointKinematics<dim>::gradient(cell.pressure, gradient);
+          force -
+          PointKinematics<dim, degree>::gradient(cell.pressure, gradient);
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int a = 0; a < n_nodes; ++a)
             cell.residual_p[a] -=
@@ -266,14 +384,15 @@ namespace seiche
   }
 
   template <int dim>
+  template <int degree>
   void
-  DisplacementPressureVMS<dim>::sliver_tangent(CellData<dim> &cell,
-                                               const double   tau) const
+  DisplacementPressureVMS<dim>::sliver_tangent(CellData<dim, degree> &cell,
+                                               const double           tau) const
   {
-    constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
-    const SliverMeans<dim> mean(cell);
+    constexpr unsigned int         n_nodes = CellData<dim, degree>::n_nodes;
+    const SliverMeans<dim, degree> mean(cell);
     const double inertia = mean.mass / mean.volume * cell.coefficients.inertia;
-    for_each_gauss_gradient(
+    for_each_gauss_gradient<dim, degree>(
       cell.extent,
       [&](const double(&gradient)[dim][n_nodes], const double weight) {
         const double fine = weight * mean.volume * tau;

@@ -50,20 +50,15 @@ namespace seiche
     text.back() = '.';
     prm.enter_subsection("Formulation");
     prm.add_parameter("Name", name, text, Patterns::Selection(names));
+    prm.add_parameter("Element degree",
+                      degree,
+                      "Degree of the elements, the same for displacement and "
+                      "pressure: 1 or 2. Degree 2 needs Transfer/Mass = "
+                      "consistent or 4 points per cell and direction at least "
+                      "to show its order [-]",
+                      Patterns::Integer(1, max_degree));
     prm.leave_subsection();
     stabilization.add_parameters(prm);
-  }
-
-  template <int dim>
-  Tau
-  Formulation<dim>::tau(const CellData<dim> &cell) const
-  {
-    return stabilization.evaluate(cell.coefficients,
-                                  material.density,
-                                  material.viscosity(cell.coefficients),
-                                  cell.size,
-                                  /*degree=*/1,
-                                  cell.start_speed);
   }
 
   template <int dim>
@@ -79,7 +74,6 @@ namespace seiche
   }
 
 #define INSTANTIATE(dim)                                            \
-  template class Formulation<dim>;                                  \
   template std::unique_ptr<Formulation<dim>> make_formulation<dim>( \
     const FormulationParameters &, const MaterialConstants &);
   INSTANTIATE(2)

@@ -34,31 +34,33 @@ namespace seiche
   void
   Fill<dim>::update(const PointCloud<dim> &points)
   {
-    constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
-    const auto            &locator = occupancy.locator;
-    const double          *volume  = points.data(PointColumn::initial_volume);
-    double                 total   = 0.;
+    // by the hats of FE_Q(1), for every degree
+    using Shape                       = TensorShape<dim, 1>;
+    constexpr unsigned int n_vertices = Shape::n_nodes;
+    const auto            &locator    = occupancy.locator;
+    const double          *volume = points.data(PointColumn::initial_volume);
+    double                 total  = 0.;
     fill.assign(locator.n_cells(), 0.);
     node_fill.reinit(occupancy.scalar_partitioner());
-    double N[n_nodes];
+    double N[n_vertices], nodal[HangingNodes<dim>::max_nodes];
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        double sum = 0., nodal[n_nodes] = {};
+        double sum = 0.;
+        std::fill(std::begin(nodal), std::end(nodal), 0.);
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
              ++p)
           {
-            LinearShape<dim>::values(locator.to_unit(cell, points.position(p)),
-                                     N);
+            Shape::values(locator.to_unit(cell, points.position(p)), N);
             sum += volume[p];
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              nodal[a] += N[a] * volume[p];
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              nodal[occupancy.vertex_node(v)] += N[v] * volume[p];
           }
         fill[cell] = rounded(sum / locator.measure(cell));
         total += sum;
         const unsigned int *nodes = occupancy.cell_nodes(cell);
         occupancy.condense(cell, nodal);
-        for (unsigned int a = 0; a < n_nodes; ++a)
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
           node_fill.local_element(nodes[a]) += nodal[a];
       }
     node_fill.compress(VectorOperation::add);
@@ -68,7 +70,7 @@ namespace seiche
       {
         const double full = occupancy.node_volume(i);
         double      &f    = node_fill.local_element(i);
-        f                 = rounded(f / full);
+        f                 = full > 0. ? rounded(f / full) : 0.;
         excess += std::max(0., f - 1.) * full;
       }
     node_fill.update_ghost_values();
@@ -96,13 +98,14 @@ namespace seiche
                       [&](const unsigned int c) {
                         return !occupancy.is_occupied(c);
                       });
-        double              at_nodes[LinearShape<dim>::n_nodes];
+        double              at_nodes[HangingNodes<dim>::max_nodes];
         const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int a = 0; a < LinearShape<dim>::n_nodes; ++a)
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
           at_nodes[a] = node_fill.local_element(nodes[a]);
         occupancy.expand(cell, at_nodes);
-        const double least =
-          *std::min_element(std::begin(at_nodes), std::end(at_nodes));
+        double least = std::numeric_limits<double>::max();
+        for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+          least = std::min(least, at_nodes[occupancy.vertex_node(v)]);
 
         // distance to the surface first, fill second: lattices stretched by
         // the flow make fill vary where there is no surface

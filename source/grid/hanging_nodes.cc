@@ -4,6 +4,9 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_tools.h>
+
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
@@ -29,7 +32,10 @@ namespace seiche
     DoFTools::make_hanging_node_constraints(dof_handler, constraints);
     constraints.close();
 
-    std::vector<types::global_dof_index> dofs(n_nodes);
+    const std::vector<unsigned int> hierarchic =
+      FETools::lexicographic_to_hierarchic_numbering<dim>(
+        dof_handler.get_fe().degree);
+    std::vector<types::global_dof_index> cell_dofs(n_nodes), dofs(n_nodes);
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         const typename DoFHandler<dim>::active_cell_iterator iterator(
@@ -37,7 +43,9 @@ namespace seiche
           locator.iterator(cell)->level(),
           locator.iterator(cell)->index(),
           &dof_handler);
-        iterator->get_dof_indices(dofs);
+        iterator->get_dof_indices(cell_dofs);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          dofs[a] = cell_dofs[hierarchic[a]];
         resolve(cell, dofs, constraints);
       }
     exchange(locator);

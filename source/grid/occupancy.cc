@@ -3,8 +3,6 @@
 #include <seiche/grid/occupancy.h>
 #include <seiche/utilities/compatibility.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -85,7 +83,7 @@ namespace seiche
           for (unsigned int d = 0; d < dim; ++d)
             position_full[full_cell_nodes[cell * n_nodes + a]][d] =
               locator.lower_corner(cell)[d] +
-              fe.unit_support_point(a)[d] * locator.extent(cell)[d];
+              place(a, d) * locator.extent(cell)[d] / fe.degree;
   }
 
   template <int dim>
@@ -110,7 +108,7 @@ namespace seiche
           const bool all =
             locator.grid.wall_condition(wall) == WallCondition::no_slip;
           for (unsigned int a = 0; a < n_nodes; ++a)
-            if (fe.has_support_on_face(a, face) &&
+            if (place(a, face / 2) == (face % 2) * fe.degree &&
                 !hanging_nodes.hangs(cell, a))
               for (unsigned int c = 0; c < dim; ++c)
                 if (all || c == face / 2)
@@ -138,15 +136,10 @@ namespace seiche
   Occupancy<dim>::collect_volumes()
   {
     const unsigned int  n_nodes = nodes_per_cell();
-    const QGauss<dim>   quadrature(fe.degree + 1);
-    std::vector<double> unit_integral(n_nodes, 0.);
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
-        unit_integral[a] +=
-          fe.shape_value(a, quadrature.point(q)) * quadrature.weight(q);
-
-    Vector              volume(full_partitioner);
-    std::vector<double> integral;
+    std::vector<double> unit_integral(n_nodes, 0.), integral;
+    for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+      unit_integral[vertex_node(v)] = std::pow(0.5, dim);
+    Vector volume(full_partitioner);
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         integral = unit_integral;

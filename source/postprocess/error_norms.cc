@@ -172,7 +172,7 @@ namespace seiche
   ErrorNorm<dim>::sample_gauss_points(const StepView<dim> &view)
   {
     const double        theta = of_pressure ? view.theta : 1.;
-    const QGauss<dim>   quadrature(2);
+    const QGauss<dim>   quadrature(view.occupancy.fe.degree + 1);
     const auto         *p = of_pressure ? &pressure->field(view) : nullptr;
     GridEvaluation<dim> place(view);
     for (const unsigned int cell : view.occupancy.occupied_cells())

@@ -50,11 +50,9 @@ namespace seiche
   {
     cell = new_cell;
     unit = new_unit;
-    if (occupancy.fe.degree == 1)
-      LinearShape<dim>::values(unit, shapes.data());
-    else
-      for (unsigned int a = 0; a < shapes.size(); ++a)
-        shapes[a] = occupancy.fe.shape_value(a, unit);
+    with_degree(occupancy.fe.degree, [&](const auto degree) {
+      TensorShape<dim, degree>::values(unit, shapes.data());
+    });
     occupancy.condense(cell, shapes.data());
   }
 

@@ -12,6 +12,31 @@ namespace seiche
 
   namespace
   {
+    /// A row of a patch whose values are given at the vertices alone.
+    template <int dim>
+    void
+    interpolate_from_vertices(const Occupancy<dim> &occupancy,
+                              Table<2, float>      &data,
+                              const unsigned int    row)
+    {
+      using Linear = TensorShape<dim, 1>;
+      double at_vertex[Linear::n_nodes], N[Linear::n_nodes];
+      for (unsigned int v = 0; v < Linear::n_nodes; ++v)
+        at_vertex[v] = data(row, occupancy.vertex_node(v));
+      for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+        {
+          Point<dim> unit;
+          for (unsigned int d = 0; d < dim; ++d)
+            unit[d] =
+              occupancy.place(a, d) / static_cast<double>(occupancy.fe.degree);
+          Linear::values(unit, N);
+          double sum = 0.;
+          for (unsigned int v = 0; v < Linear::n_nodes; ++v)
+            sum += N[v] * at_vertex[v];
+          data(row, a) = sum;
+        }
+    }
+
     /// One patch for each own occupied cell.
     template <int dim>
     FieldPatches<dim, dim>
@@ -37,13 +62,12 @@ namespace seiche
           const unsigned int       cell  = cells[k];
           DataOutBase::Patch<dim> &patch = grid.patches[k];
           const unsigned int      *nodes = occupancy.cell_nodes(cell);
-          const unsigned int       n     = GeometryInfo<dim>::vertices_per_cell;
+          const unsigned int       n     = occupancy.nodes_per_cell();
           patch.patch_index              = k;
-          patch.n_subdivisions           = 1;
+          patch.n_subdivisions           = occupancy.fe.degree;
           patch.reference_cell           = ReferenceCells::get_hypercube<dim>();
           patch.data.reinit(grid.n_rows(), n);
-          // vertices come first in deal.II's numbering of every FE_Q
-          std::vector<double> values(occupancy.nodes_per_cell());
+          std::vector<double> values(n); // lexicographic, as patches are
           const auto          set_row = [&](const unsigned int row,
                                    const auto        &vector,
                                    const unsigned int stride,
@@ -61,12 +85,18 @@ namespace seiche
             }
           set_row(2 * dim, pressure, 1, 0);
           set_row(2 * dim + 1, fill.nodal_fill(), 1, 0);
-          for (unsigned int v = 0; v < n; ++v)
+          if (occupancy.fe.degree > 1)
+            interpolate_from_vertices(occupancy, patch.data, 2 * dim + 1);
+          for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell;
+               ++v)
             {
               patch.vertices[v] = locator.lower_corner(cell);
               for (unsigned int d = 0; d < dim; ++d)
                 if ((v >> d) & 1u)
                   patch.vertices[v][d] += locator.extent(cell)[d];
+            }
+          for (unsigned int v = 0; v < n; ++v)
+            {
               patch.data(2 * dim + 2, v) = fill.cell_fill(cell);
               patch.data(2 * dim + 3, v) = fill.gauss_weight(cell);
               patch.data(2 * dim + 4, v) =

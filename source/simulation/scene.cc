@@ -65,7 +65,7 @@ namespace seiche
     fluid.check(input_file);
     seeding.check(input_file);
     time.check(input_file);
-    transfer.check(input_file);
+    transfer.check(input_file, formulation.degree, seeding.per_direction);
     if (bodies.empty())
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "

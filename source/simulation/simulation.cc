@@ -29,7 +29,7 @@ namespace seiche
     , points(locator, point_columns(), communicator)
     , seeding(fill_points(start))
     , mesh_adaptation(grid, locator, points)
-    , occupancy(locator, /*degree=*/1)
+    , occupancy(locator, scene.formulation.degree)
     , fill(occupancy, scene.quadrature.gauss_in_full_cells())
     , quadrature(make_quadrature(scene.quadrature,
                                  points,
@@ -38,7 +38,7 @@ namespace seiche
                                  formulation->has_pressure() &&
                                    std::isinf(scene.fluid.bulk_modulus)))
     , body_force(scene.body_force, scene.input)
-    , transfer(scene.transfer, occupancy)
+    , transfer(scene.transfer, fill, scene.fluid.density)
     , matrix(occupancy, formulation->has_pressure())
     , assembler(*formulation,
                 *quadrature,

@@ -19,11 +19,7 @@ namespace seiche
     , occupancy(grid_fill.occupancy)
     , body_force(force)
     , timer(timer_tree)
-  {
-    data.body_force_varies = !body_force.is_constant();
-    if (!data.body_force_varies)
-      data.constant_body_force = body_force.constant_value();
-  }
+  {}
 
   template <int dim>
   void
@@ -32,43 +28,41 @@ namespace seiche
                         const Vector           &acceleration_offset,
                         const Vector           &velocity_offset)
   {
-    data.coefficients = coefficients;
-    time              = start_time;
-    inertia_offset    = &acceleration_offset;
-    rate_offset       = &velocity_offset;
-    if (!coefficients.body_force)
-      data.constant_body_force = 0.;
-    else if (!data.body_force_varies)
-      data.constant_body_force = body_force.constant_value();
+    step           = coefficients;
+    time           = start_time;
+    inertia_offset = &acceleration_offset;
+    rate_offset    = &velocity_offset;
   }
 
   template <int dim>
   Tau
   Assembler<dim>::reference_tau(const double size) const
   {
-    return formulation.stabilization.evaluate(data.coefficients,
+    return formulation.stabilization.evaluate(step,
                                               formulation.material.density,
                                               formulation.material.viscosity(
-                                                data.coefficients),
+                                                step),
                                               size,
-                                              /*degree=*/1,
+                                              occupancy.fe.degree,
                                               /*speed=*/0.);
   }
 
   template <int dim>
-  void
+  template <int degree>
+  CellData<dim, degree> &
   Assembler<dim>::gather(const unsigned int cell, const GridState<dim> &state)
   {
-    constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
+    CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
     const auto            &locator = occupancy.locator;
+    data.coefficients              = step;
     data.extent                    = locator.extent(cell);
     data.size                      = std::pow(locator.measure(cell), 1. / dim);
     data.sliver = free_surface.sliver_treatment && fill.is_sliver(cell);
     quadrature.get(cell, data.quadrature);
 
-    const StepCoefficients &c     = data.coefficients;
-    const unsigned int     *nodes = occupancy.cell_nodes(cell);
-    double                  start_velocity[dim][n_nodes];
+    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    double              start_velocity[dim][n_nodes];
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         {
@@ -76,9 +70,9 @@ namespace seiche
           const double       u    = state.displacement().local_element(dof);
           data.displacement[i][a] = u;
           data.acceleration[i][a] =
-            c.inertia * u + inertia_offset->local_element(dof);
+            step.inertia * u + inertia_offset->local_element(dof);
           data.rate_velocity[i][a] =
-            c.rate * u + rate_offset->local_element(dof);
+            step.rate * u + rate_offset->local_element(dof);
           start_velocity[i][a] = state.velocity_start.local_element(dof);
         }
     Tensor<1, dim> mean_velocity;
@@ -99,37 +93,49 @@ namespace seiche
         occupancy.expand(cell, data.pressure);
       }
 
+    data.body_force_varies = step.body_force && !body_force.is_constant();
     if (data.body_force_varies)
+      gather_body_force<degree>(cell, start_velocity);
+    else
+      data.constant_body_force =
+        step.body_force ? body_force.constant_value() : Tensor<1, dim>();
+    return data;
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  Assembler<dim>::gather_body_force(
+    const unsigned int cell,
+    const double (&start_velocity)[dim][CellData<dim, degree>::n_nodes])
+  {
+    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
+    CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
+    data.body_force.resize(data.quadrature.size);
+    double N[n_nodes];
+    for (unsigned int q = 0; q < data.quadrature.size; ++q)
       {
-        // at the place that v_0 predicts: second order, and the tangent does
-        // not need the gradient of the expression
-        data.body_force.assign(data.quadrature.size, Tensor<1, dim>());
-        double N[n_nodes];
-        if (c.body_force)
-          for (unsigned int q = 0; q < data.quadrature.size; ++q)
-            {
-              const Point<dim> unit = data.quadrature.point(q);
-              LinearShape<dim>::values(unit, N);
-              Point<dim> x = locator.lower_corner(cell);
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  x[d] += unit[d] * data.extent[d];
-                  for (unsigned int a = 0; a < n_nodes; ++a)
-                    x[d] += c.theta * c.dt * N[a] * start_velocity[d][a];
-                }
-              data.body_force[q] = body_force.value(x, time + c.theta * c.dt);
-            }
+        const Point<dim> unit = data.quadrature.point(q);
+        TensorShape<dim, degree>::values(unit, N);
+        Point<dim> x = occupancy.locator.lower_corner(cell);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            x[d] += unit[d] * data.extent[d];
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              x[d] += step.theta * step.dt * N[a] * start_velocity[d][a];
+          }
+        data.body_force[q] = body_force.value(x, time + step.theta * step.dt);
       }
   }
 
   template <int dim>
-  template <typename Function>
+  template <int degree, typename Function>
   void
   Assembler<dim>::for_each_ghost_face(const Function &f)
   {
     if (!free_surface.has_ghost_penalty())
       return;
-    GhostFaceMatrix<dim> matrix;
+    GhostFaceMatrix<dim, degree> matrix;
     for (const GhostFace &face : fill.ghost_faces())
       {
         matrix.evaluate(face, occupancy);
@@ -143,7 +149,7 @@ namespace seiche
                              matrix.h,
                              formulation.material.density,
                              ghost_tau(size),
-                             data.coefficients.damping));
+                             step.damping));
       }
   }
 
@@ -152,12 +158,33 @@ namespace seiche
   Assembler<dim>::residual(GridState<dim> &state, BlockVector &residual)
   {
     const TimerTree::Scope scope(timer, "residual");
-    constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
-    residual                       = 0.;
-    const bool mixed               = formulation.has_pressure();
+    residual = 0.;
+    with_degree(occupancy.fe.degree, [&](const auto degree) {
+      this->template add_residual<degree>(state, residual);
+    });
+    residual.compress(VectorOperation::add);
+
+    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+      if (const unsigned int fixed = occupancy.fixed_components(node))
+        for (unsigned int i = 0; i < dim; ++i)
+          if (fixed & (1u << i))
+            {
+              double &value = residual.block(0).local_element(dim * node + i);
+              state.reaction.local_element(dim * node + i) = value;
+              value                                        = 0.;
+            }
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  Assembler<dim>::add_residual(GridState<dim> &state, BlockVector &residual)
+  {
+    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
+    const bool             mixed   = formulation.has_pressure();
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        gather(cell, state);
+        CellData<dim, degree> &data = gather<degree>(cell, state);
         formulation.residual(data);
         const unsigned int *nodes = occupancy.cell_nodes(cell);
         for (unsigned int i = 0; i < dim; ++i)
@@ -173,21 +200,21 @@ namespace seiche
               residual.block(1).local_element(nodes[a]) += data.residual_p[a];
           }
       }
-    const StepCoefficients &c = data.coefficients;
-    for_each_ghost_face([&](const GhostFaceMatrix<dim> &face,
-                            const GhostCoefficients    &coefficient) {
+    for_each_ghost_face<degree>([&](const GhostFaceMatrix<dim, degree> &face,
+                                    const GhostCoefficients &coefficient) {
       const unsigned int n = face.n_nodes;
       for (unsigned int i = 0; i < dim; ++i)
         {
-          double jump[GhostFaceMatrix<dim>::max_nodes];
+          double jump[GhostFaceMatrix<dim, degree>::max_nodes];
           for (unsigned int b = 0; b < n; ++b)
             {
               const unsigned int dof = dim * face.nodes[b] + i;
               const double       u   = state.displacement().local_element(dof);
-              jump[b]                = coefficient.acceleration *
-                          (c.inertia * u + inertia_offset->local_element(dof)) +
-                        coefficient.velocity *
-                          (c.rate * u + rate_offset->local_element(dof));
+              jump[b] =
+                coefficient.acceleration *
+                  (step.inertia * u + inertia_offset->local_element(dof)) +
+                coefficient.velocity *
+                  (step.rate * u + rate_offset->local_element(dof));
             }
           for (unsigned int a = 0; a < n; ++a)
             {
@@ -208,17 +235,6 @@ namespace seiche
               coefficient.pressure * sum;
           }
     });
-    residual.compress(VectorOperation::add);
-
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
-      if (const unsigned int fixed = occupancy.fixed_components(node))
-        for (unsigned int i = 0; i < dim; ++i)
-          if (fixed & (1u << i))
-            {
-              double &value = residual.block(0).local_element(dim * node + i);
-              state.reaction.local_element(dim * node + i) = value;
-              value                                        = 0.;
-            }
   }
 
   template <int dim>
@@ -227,6 +243,19 @@ namespace seiche
   {
     const TimerTree::Scope scope(timer, "tangent");
     matrix.set_zero();
+    with_degree(occupancy.fe.degree, [&](const auto degree) {
+      this->template add_tangent<degree>(state, matrix);
+    });
+    matrix.compress();
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  Assembler<dim>::add_tangent(const GridState<dim> &state,
+                              BlockMatrix<dim>     &matrix)
+  {
+    CellData<dim, degree> &data = std::get<degree - 1>(workspace);
     // The matrices of full cells at rest are equal for equal cells: those of
     // the last one stay in the workspace.
     const bool     at_rest = is_at_rest(state);
@@ -238,33 +267,30 @@ namespace seiche
           at_rest && !hanging && fill.gauss_weight(cell) == 1.;
         if (!reusable || occupancy.locator.extent(cell) != last_extent)
           {
-            gather(cell, state);
+            gather<degree>(cell, state);
             formulation.tangent(data);
             if (hanging)
-              condense_tangent(cell);
+              condense_tangent(cell, data);
             last_extent = reusable ? data.extent : Tensor<1, dim>();
           }
         matrix.add_cell(cell, data);
       }
-    const StepCoefficients &c = data.coefficients;
-    for_each_ghost_face([&](const GhostFaceMatrix<dim> &face,
-                            const GhostCoefficients    &coefficient) {
+    for_each_ghost_face<degree>([&](const GhostFaceMatrix<dim, degree> &face,
+                                    const GhostCoefficients &coefficient) {
       matrix.add_face(face,
-                      coefficient.acceleration * c.inertia +
-                        coefficient.velocity * c.rate,
+                      coefficient.acceleration * step.inertia +
+                        coefficient.velocity * step.rate,
                       coefficient.pressure);
     });
-    matrix.compress();
   }
 
   template <int dim>
   bool
   Assembler<dim>::is_at_rest(const GridState<dim> &state) const
   {
-    const StepCoefficients &c = data.coefficients;
-    const Vector           &u = state.displacement();
-    return formulation.has_pressure() && c.theta == 0. && !c.viscous &&
-           c.volume_recovery == 0. &&
+    const Vector &u = state.displacement();
+    return formulation.has_pressure() && step.theta == 0. && !step.viscous &&
+           step.volume_recovery == 0. &&
            formulation.stabilization.tau_is_uniform() &&
            std::all_of(u.begin(), u.end(), [](const double value) {
              return value == 0.;
@@ -272,8 +298,10 @@ namespace seiche
   }
 
   template <int dim>
+  template <int degree>
   void
-  Assembler<dim>::condense_tangent(const unsigned int cell)
+  Assembler<dim>::condense_tangent(const unsigned int     cell,
+                                   CellData<dim, degree> &data)
   {
     const HangingNodes<dim> &hanging = occupancy.hanging();
     for (unsigned int i = 0; i < dim; ++i)
@@ -294,12 +322,12 @@ namespace seiche
   double
   Assembler<dim>::body_force_scale() const
   {
-    if (!data.coefficients.body_force)
+    if (!step.body_force)
       return 0.;
-    if (!data.body_force_varies)
-      return data.constant_body_force.norm();
+    if (body_force.is_constant())
+      return body_force.constant_value().norm();
     double       largest = 0.;
-    const double t = time + data.coefficients.theta * data.coefficients.dt;
+    const double t       = time + step.theta * step.dt;
     for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
       largest =
         std::max(largest,
@@ -313,11 +341,11 @@ namespace seiche
   Assembler<dim>::ghost_tau(const double size) const
   {
     return 1. / formulation.stabilization.inverse_transient_tau(
-                  data.coefficients,
+                  step,
                   formulation.material.density,
-                  formulation.material.viscosity(data.coefficients),
+                  formulation.material.viscosity(step),
                   size,
-                  /*degree=*/1);
+                  occupancy.fe.degree);
   }
 
   template class Assembler<2>;

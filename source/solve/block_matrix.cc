@@ -42,13 +42,16 @@ namespace seiche
   }
 
   template <int dim>
+  template <int degree>
   void
-  BlockMatrix<dim>::add_cell(const unsigned int cell, const CellData<dim> &data)
+  BlockMatrix<dim>::add_cell(const unsigned int           cell,
+                             const CellData<dim, degree> &data)
   {
-    const unsigned int   n       = n_fields();
-    const unsigned int  *nodes   = occupancy.cell_nodes(cell);
-    const std::uint16_t *entries = pattern.cell_entries(cell);
-    double               free[dim][n_nodes]; // 0 where a wall fixes
+    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
+    const unsigned int     n       = n_fields();
+    const unsigned int    *nodes   = occupancy.cell_nodes(cell);
+    const std::uint16_t   *entries = pattern.cell_entries(cell);
+    double                 free[dim][n_nodes]; // 0 where a wall fixes
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         free[i][a] = occupancy.fixed_components(nodes[a]) & (1u << i) ? 0. : 1.;
@@ -76,12 +79,13 @@ namespace seiche
   }
 
   template <int dim>
+  template <int degree>
   void
-  BlockMatrix<dim>::add_face(const GhostFaceMatrix<dim> &face,
-                             const double                velocity_coefficient,
-                             const double                pressure_coefficient)
+  BlockMatrix<dim>::add_face(const GhostFaceMatrix<dim, degree> &face,
+                             const double velocity_coefficient,
+                             const double pressure_coefficient)
   {
-    constexpr unsigned int max_nodes = GhostFaceMatrix<dim>::max_nodes;
+    constexpr unsigned int max_nodes = GhostFaceMatrix<dim, degree>::max_nodes;
     const unsigned int     n         = n_fields();
     std::array<unsigned int, max_nodes> order, columns, entries;
     const auto                          column = [&](const unsigned int a) {
@@ -281,4 +285,14 @@ namespace seiche
 
   template class BlockMatrix<2>;
   template class BlockMatrix<3>;
+
+#define INSTANTIATE(dim, degree)                                           \
+  template void BlockMatrix<dim>::add_cell(const unsigned int,             \
+                                           const CellData<dim, degree> &); \
+  template void BlockMatrix<dim>::add_face(                                \
+    const GhostFaceMatrix<dim, degree> &, const double, const double);
+  INSTANTIATE(2, 1)
+  INSTANTIATE(2, 2)
+  INSTANTIATE(3, 1)
+  INSTANTIATE(3, 2)
 } // namespace seiche

@@ -12,6 +12,7 @@ namespace seiche
   template <int dim>
   NodePattern<dim>::NodePattern(const Occupancy<dim> &grid_occupancy)
     : occupancy(grid_occupancy)
+    , n_nodes(grid_occupancy.nodes_per_cell())
   {}
 
   template <int dim>

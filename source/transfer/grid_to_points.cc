@@ -13,10 +13,12 @@ namespace seiche
   namespace
   {
     /// The velocity of the points of a block, by the method's rule.
-    template <int dim>
+    template <int dim, int degree>
     class VelocityRule
     {
     public:
+      static constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+
       VelocityRule(const TransferMethod     &transfer_method,
                    const TransferParameters &parameters,
                    const GridState<dim>     &state)
@@ -30,6 +32,9 @@ namespace seiche
         , dt(state.dt)
         , velocity_n(state.velocity_n.begin())
         , velocity_np1(state.velocity_np1.begin())
+        , velocity_series(state.velocity_series.size() > 0 ?
+                            state.velocity_series.begin() :
+                            nullptr)
         , acceleration_np1(state.acceleration_np1.size() > 0 ?
                              state.acceleration_np1.begin() :
                              nullptr)
@@ -42,11 +47,20 @@ namespace seiche
         source = end_field;
         if (keep > 0.)
           {
-            CellField<dim> start;
+            CellField<dim, degree> start;
             start.gather(velocity_n, occupancy, cell);
             for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int i = 0; i < LinearShape<dim>::n_nodes; ++i)
+              for (unsigned int i = 0; i < n_nodes; ++i)
                 source.values[c][i] -= keep * start.values[c][i];
+          }
+        if (method.update == VelocityUpdate::xpic)
+          {
+            CellField<dim, degree> start, series;
+            start.gather(velocity_n, occupancy, cell);
+            series.gather(velocity_series, occupancy, cell);
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int i = 0; i < n_nodes; ++i)
+                source.values[c][i] += series.values[c][i] - start.values[c][i];
           }
         if (acceleration_np1 != nullptr)
           acceleration_field.gather(acceleration_np1, occupancy, cell);
@@ -54,10 +68,10 @@ namespace seiche
 
       template <typename Arrays>
       void
-      update(const Block<dim>  &block,
-             const Arrays      &arrays,
-             const std::size_t  first,
-             const unsigned int n_filled) const
+      update(const Block<dim, degree> &block,
+             const Arrays             &arrays,
+             const std::size_t         first,
+             const unsigned int        n_filled) const
       {
         const bool with_acceleration =
           acceleration_np1 != nullptr && arrays.acceleration[0] != nullptr;
@@ -92,26 +106,29 @@ namespace seiche
             }
       }
 
-      CellField<dim> end_field; // v_np1, for the gradient
+      CellField<dim, degree> end_field; // v_np1, for the gradient
 
     private:
-      const TransferMethod &method;
-      const double          keep;
-      const double          dt;
-      const double         *velocity_n;
-      const double         *velocity_np1;
-      const double         *acceleration_np1;
-      CellField<dim>        source;
-      CellField<dim>        acceleration_field;
+      const TransferMethod  &method;
+      const double           keep;
+      const double           dt;
+      const double          *velocity_n;
+      const double          *velocity_np1;
+      const double          *velocity_series;
+      const double          *acceleration_np1;
+      CellField<dim, degree> source;
+      CellField<dim, degree> acceleration_field;
     };
 
 
 
-    /// C = (grad_n v_np1) f_1^-1: the gradient in the end configuration.
-    template <int dim, typename Arrays>
+    /// C = (grad_n v_np1) f_1^-1: the gradient in the end configuration, or
+    /// without f_1^-1 in that at the start.
+    template <int dim, int degree, typename Arrays>
     void
-    update_gradient(const Block<dim>     &block,
-                    const CellField<dim> &velocity,
+    update_gradient(const Block<dim, degree>     &block,
+                    const CellField<dim, degree> &velocity,
+                    const bool                    at_start,
                     const double (&det)[n_lanes],
                     const double (&cofactor)[dim][dim][n_lanes],
                     const Arrays      &arrays,
@@ -129,7 +146,7 @@ namespace seiche
                 double sum = 0.;
                 for (unsigned int k = 0; k < dim; ++k)
                   sum += gradient[c][k][l] * cofactor[d][k][l];
-                result[l] = sum / det[l];
+                result[l] = at_start ? gradient[c][d][l] : sum / det[l];
               }
             for (unsigned int l = 0; l < n_filled; ++l)
               arrays.gradient[c * dim + d][first + l] = result[l];
@@ -144,15 +161,40 @@ namespace seiche
   Transfer<dim>::check(const GridState<dim>  &state,
                        const PointCloud<dim> &points) const
   {
+    return with_degree(occupancy.fe.degree, [&](const auto degree) {
+      return this->template check_step<degree>(state, points);
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  Transfer<dim>::grid_to_points(const GridState<dim> &state,
+                                PointCloud<dim>      &points) const
+  {
+    with_degree(occupancy.fe.degree, [&](const auto degree) {
+      this->template move_points<degree>(state, points);
+    });
+  }
+
+
+
+  template <int dim>
+  template <int degree>
+  StepCheck
+  Transfer<dim>::check_step(const GridState<dim>  &state,
+                            const PointCloud<dim> &points) const
+  {
     const PointArrays<dim, const PointCloud<dim>> arrays(points);
     const CellLocator<dim>                       &locator = points.locator;
     const double *displacement = state.displacement().begin();
 
-    CellField<dim> u;
-    Block<dim>     block;
-    double         min_det = std::numeric_limits<double>::max();
-    double         max_u   = 0.;
-    double         sum     = 0.; // not finite if any value is not
+    CellField<dim, degree> u;
+    Block<dim, degree>     block;
+    double                 min_det = std::numeric_limits<double>::max();
+    double                 max_u   = 0.;
+    double                 sum     = 0.; // not finite if any value is not
     for_each_block(
       occupancy,
       points,
@@ -217,22 +259,23 @@ namespace seiche
 
 
   template <int dim>
+  template <int degree>
   void
-  Transfer<dim>::grid_to_points(const GridState<dim> &state,
-                                PointCloud<dim>      &points) const
+  Transfer<dim>::move_points(const GridState<dim> &state,
+                             PointCloud<dim>      &points) const
   {
     const PointArrays<dim, PointCloud<dim>> arrays(points);
     const CellLocator<dim>                 &locator = points.locator;
-    constexpr unsigned int                  n_nodes = LinearShape<dim>::n_nodes;
+    constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
 
     const bool    with_pressure = state.solution.n_blocks() > 1;
     const double *displacement  = state.displacement().begin();
     const double *pressure = with_pressure ? state.pressure().begin() : nullptr;
 
-    VelocityRule<dim> rule(method, parameters, state);
-    CellField<dim>    u;
-    double            p_nodal[n_nodes] = {};
-    Block<dim>        block;
+    VelocityRule<dim, degree> rule(method, parameters, state);
+    CellField<dim, degree>    u;
+    double                    p_nodal[n_nodes] = {};
+    Block<dim, degree>        block;
     for_each_block(
       occupancy,
       points,
@@ -263,8 +306,14 @@ namespace seiche
           arrays.volume_ratio[first + l] *= det[l];
         rule.update(block, arrays, first, n_filled);
         if (arrays.gradient[0] != nullptr)
-          update_gradient<dim>(
-            block, rule.end_field, det, cofactor, arrays, first, n_filled);
+          update_gradient<dim, degree>(block,
+                                       rule.end_field,
+                                       method.at_start,
+                                       det,
+                                       cofactor,
+                                       arrays,
+                                       first,
+                                       n_filled);
         if (with_pressure)
           {
             block.value(p_nodal, result);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/transfer/mass_matrix.h>
 #include <seiche/transfer/point_arrays.h>
 #include <seiche/transfer/transfer.h>
 #include <seiche/utilities/shape_functions.h>
@@ -11,124 +12,16 @@ namespace seiche
   {
     /// Sums over the points of one cell, by node: the loops over nodes are
     /// the ones that vectorise.
-    template <int dim>
+    template <int dim, int degree>
     struct CellSums
     {
-      static constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
+      static constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
 
       double mass[n_nodes]              = {}; // [kg]
       double pressure[n_nodes]          = {}; // [kg Pa]
       double momentum[dim][n_nodes]     = {}; // [kg m/s]
       double acceleration[dim][n_nodes] = {}; // [kg m/s^2]
     };
-
-
-
-    /**
-     * Momentum of node I: sum_p m_p N_I(x_p) (v_p + C_p (x_I - x_p)), Jiang,
-     * Schroeder, Teran (2017), eq. (17), with C the gradient itself (TPIC).
-     * On a box x_I = lower + s_I h, so that v_p + C_p (lower - x_p) is shared
-     * by all nodes.
-     */
-    template <int dim, bool affine, bool with_acceleration>
-    CellSums<dim>
-    sum_cell(const PointArrays<dim, const PointCloud<dim>> &arrays,
-             const std::size_t                              begin,
-             const std::size_t                              end,
-             const dealii::Point<dim>                      &lower,
-             const dealii::Tensor<1, dim>                  &extent,
-             const double                                   gradient_share)
-    {
-      constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
-      CellSums<dim>          sums;
-      double                 inverse_extent[dim];
-      for (unsigned int d = 0; d < dim; ++d)
-        inverse_extent[d] = 1. / extent[d];
-      for (std::size_t p = begin; p < end; ++p)
-        {
-          dealii::Point<dim> unit;
-          for (unsigned int d = 0; d < dim; ++d)
-            unit[d] = (arrays.position[d][p] - lower[d]) * inverse_extent[d];
-          double N[n_nodes];
-          LinearShape<dim>::values(unit, N);
-          for (unsigned int i = 0; i < n_nodes; ++i)
-            {
-              N[i] *= arrays.mass[p];
-              sums.mass[i] += N[i];
-              sums.pressure[i] += N[i] * arrays.pressure[p];
-            }
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              double base       = arrays.velocity[c][p];
-              double slope[dim] = {};
-              if (affine)
-                for (unsigned int d = 0; d < dim; ++d)
-                  {
-                    slope[d] = gradient_share *
-                               arrays.gradient[c * dim + d][p] * extent[d];
-                    base -= slope[d] * unit[d];
-                  }
-              for (unsigned int i = 0; i < n_nodes; ++i)
-                {
-                  double value = base;
-                  if (affine)
-                    for (unsigned int d = 0; d < dim; ++d)
-                      value += LinearShape<dim>::corner(i, d) * slope[d];
-                  sums.momentum[c][i] += N[i] * value;
-                  if (with_acceleration)
-                    sums.acceleration[c][i] += N[i] * arrays.acceleration[c][p];
-                }
-            }
-        }
-      return sums;
-    }
-
-
-
-    /// The same for a cell with hanging nodes, at its masters: x_I is the
-    /// place of the master, and N_I its share of the point.
-    template <int dim>
-    CellSums<dim>
-    sum_hanging_cell(const PointArrays<dim, const PointCloud<dim>> &arrays,
-                     const PointCloud<dim>                         &points,
-                     const Occupancy<dim>                          &occupancy,
-                     const unsigned int                             cell,
-                     const double gradient_share,
-                     const bool   with_acceleration)
-    {
-      constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
-      const unsigned int    *nodes   = occupancy.cell_nodes(cell);
-      CellSums<dim>          sums;
-      for (std::size_t p = points.first_point(cell);
-           p < points.first_point(cell + 1);
-           ++p)
-        {
-          const dealii::Point<dim> x = points.position(p);
-          double                   N[n_nodes];
-          LinearShape<dim>::values(points.locator.to_unit(cell, x), N);
-          occupancy.condense(cell, N);
-          for (unsigned int i = 0; i < n_nodes; ++i)
-            {
-              N[i] *= arrays.mass[p];
-              sums.mass[i] += N[i];
-              sums.pressure[i] += N[i] * arrays.pressure[p];
-              const dealii::Tensor<1, dim> arm =
-                occupancy.node_position(nodes[i]) - x;
-              for (unsigned int c = 0; c < dim; ++c)
-                {
-                  double value = arrays.velocity[c][p];
-                  if (gradient_share > 0.)
-                    for (unsigned int d = 0; d < dim; ++d)
-                      value += gradient_share *
-                               arrays.gradient[c * dim + d][p] * arm[d];
-                  sums.momentum[c][i] += N[i] * value;
-                  if (with_acceleration)
-                    sums.acceleration[c][i] += N[i] * arrays.acceleration[c][p];
-                }
-            }
-        }
-      return sums;
-    }
 
 
 
@@ -145,13 +38,219 @@ namespace seiche
 
 
 
-    template <int dim, bool affine, bool with_acceleration>
+    /// The linear velocity v_p + C_p (x - x_p) that a point passes on.
+    template <int dim>
+    class PointVelocity
+    {
+    public:
+      PointVelocity(const PointArrays<dim, const PointCloud<dim>> &point_arrays,
+                    const GradientUse                              use,
+                    const PointCloud<dim>                         &points,
+                    const unsigned int                             cell)
+        : arrays(point_arrays)
+        , share(use == GradientUse::none ?
+                  0. :
+                  gradient_share<dim>(points.n_points_in(cell)))
+        , fitted(use == GradientUse::fitted)
+      {
+        if (fitted)
+          fit(points.first_point(cell),
+              points.first_point(cell + 1),
+              points.locator.extent(cell));
+      }
+
+      bool
+      is_affine() const
+      {
+        return share > 0.;
+      }
+
+      /// Component c at the point, and its derivative in direction d.
+      double
+      value(const std::size_t p, const unsigned int c) const
+      {
+        if (!fitted)
+          return arrays.velocity[c][p];
+        double result = mean[c];
+        for (unsigned int d = 0; d < dim; ++d)
+          result += slope[c][d] * (arrays.position[d][p] - centre[d]);
+        return result;
+      }
+
+      double
+      derivative(const std::size_t  p,
+                 const unsigned int c,
+                 const unsigned int d) const
+      {
+        return fitted ? slope[c][d] : share * arrays.gradient[c * dim + d][p];
+      }
+
+    private:
+      /// The linear field that is closest to the velocities of the cell's
+      /// points, weighted by mass (Taylor least squares: Wobbes, Moller,
+      /// Galavi, Vuik 2019, with a linear basis).
+      void
+      fit(const std::size_t             begin,
+          const std::size_t             end,
+          const dealii::Tensor<1, dim> &extent)
+      {
+        double mass = 0.;
+        for (std::size_t p = begin; p < end; ++p)
+          {
+            mass += arrays.mass[p];
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                centre[d] += arrays.mass[p] * arrays.position[d][p];
+                mean[d] += arrays.mass[p] * arrays.velocity[d][p];
+              }
+          }
+        centre /= mass;
+        mean /= mass;
+        dealii::Tensor<2, dim> moments, products;
+        for (std::size_t p = begin; p < end; ++p)
+          {
+            dealii::Tensor<1, dim> arm, deviation;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                arm[d]       = arrays.position[d][p] - centre[d];
+                deviation[d] = arrays.velocity[d][p] - mean[d];
+              }
+            moments += arrays.mass[p] * outer_product(arm, arm);
+            products += arrays.mass[p] * outer_product(deviation, arm);
+          }
+        // points on a line or a plane define no derivative across it
+        for (unsigned int d = 0; d < dim; ++d)
+          moments[d][d] += least_spread * mass * extent[d] * extent[d];
+        slope = share * products * invert(moments);
+      }
+
+      static constexpr double least_spread = 1e-6; // in cells, squared
+
+      const PointArrays<dim, const PointCloud<dim>> &arrays;
+      const double                                   share;
+      const bool                                     fitted;
+      dealii::Tensor<1, dim>                         centre, mean;
+      dealii::Tensor<2, dim>                         slope;
+    };
+
+
+
+    /**
+     * Momentum of node I: sum_p m_p N_I(x_p) (v_p + C_p (x_I - x_p)), Jiang,
+     * Schroeder, Teran (2017), eq. (17), with C the gradient itself (TPIC).
+     * On a box x_I = lower + s_I h, so that v_p + C_p (lower - x_p) is shared
+     * by all nodes. N are the positive hats, which for FE_Q(1) are the shape
+     * functions.
+     */
+    template <int dim, int degree, bool affine, bool with_acceleration>
+    CellSums<dim, degree>
+    sum_cell(const PointArrays<dim, const PointCloud<dim>> &arrays,
+             const PointVelocity<dim>                      &velocity,
+             const std::size_t                              begin,
+             const std::size_t                              end,
+             const dealii::Point<dim>                      &lower,
+             const dealii::Tensor<1, dim>                  &extent)
+    {
+      using Shape                    = TensorShape<dim, degree>;
+      constexpr unsigned int n_nodes = Shape::n_nodes;
+      CellSums<dim, degree>  sums;
+      double                 inverse_extent[dim];
+      for (unsigned int d = 0; d < dim; ++d)
+        inverse_extent[d] = 1. / extent[d];
+      for (std::size_t p = begin; p < end; ++p)
+        {
+          dealii::Point<dim> unit;
+          for (unsigned int d = 0; d < dim; ++d)
+            unit[d] = (arrays.position[d][p] - lower[d]) * inverse_extent[d];
+          double N[n_nodes];
+          Shape::hats(unit, N);
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            {
+              N[i] *= arrays.mass[p];
+              sums.mass[i] += N[i];
+              sums.pressure[i] += N[i] * arrays.pressure[p];
+            }
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              double base       = velocity.value(p, c);
+              double slope[dim] = {};
+              if (affine)
+                for (unsigned int d = 0; d < dim; ++d)
+                  {
+                    slope[d] = velocity.derivative(p, c, d) * extent[d];
+                    base -= slope[d] * unit[d];
+                    slope[d] /= degree; // from node to node
+                  }
+              for (unsigned int i = 0; i < n_nodes; ++i)
+                {
+                  double value = base;
+                  if (affine)
+                    for (unsigned int d = 0; d < dim; ++d)
+                      value += Shape::place(i, d) * slope[d];
+                  sums.momentum[c][i] += N[i] * value;
+                  if (with_acceleration)
+                    sums.acceleration[c][i] += N[i] * arrays.acceleration[c][p];
+                }
+            }
+        }
+      return sums;
+    }
+
+
+
+    /// The same for a cell with hanging nodes, at its masters: x_I is the
+    /// place of the master, and N_I its share of the point.
+    template <int dim, int degree, bool with_acceleration>
+    CellSums<dim, degree>
+    sum_hanging_cell(const PointArrays<dim, const PointCloud<dim>> &arrays,
+                     const PointVelocity<dim>                      &velocity,
+                     const PointCloud<dim>                         &points,
+                     const Occupancy<dim>                          &occupancy,
+                     const unsigned int                             cell)
+    {
+      constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+      const unsigned int    *nodes   = occupancy.cell_nodes(cell);
+      CellSums<dim, degree>  sums;
+      for (std::size_t p = points.first_point(cell);
+           p < points.first_point(cell + 1);
+           ++p)
+        {
+          const dealii::Point<dim> x = points.position(p);
+          double                   N[n_nodes];
+          TensorShape<dim, degree>::hats(points.locator.to_unit(cell, x), N);
+          occupancy.condense(cell, N);
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            {
+              N[i] *= arrays.mass[p];
+              sums.mass[i] += N[i];
+              sums.pressure[i] += N[i] * arrays.pressure[p];
+              const dealii::Tensor<1, dim> arm =
+                occupancy.node_position(nodes[i]) - x;
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  double value = velocity.value(p, c);
+                  if (velocity.is_affine())
+                    for (unsigned int d = 0; d < dim; ++d)
+                      value += velocity.derivative(p, c, d) * arm[d];
+                  sums.momentum[c][i] += N[i] * value;
+                  if (with_acceleration)
+                    sums.acceleration[c][i] += N[i] * arrays.acceleration[c][p];
+                }
+            }
+        }
+      return sums;
+    }
+
+
+
+    template <int dim, int degree, bool with_acceleration>
     void
     sum_all_cells(const PointCloud<dim> &points,
                   const Occupancy<dim>  &occupancy,
+                  const GradientUse      gradient,
                   GridState<dim>        &state)
     {
-      constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
+      constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
       const PointArrays<dim, const PointCloud<dim>> arrays(points);
       const CellLocator<dim>                       &locator = points.locator;
       // entries of ghost nodes follow those of own nodes
@@ -161,21 +260,20 @@ namespace seiche
       double *acceleration = state.acceleration_n.begin();
       for (const unsigned int cell : occupancy.occupied_cells())
         {
-          const double share =
-            affine ? gradient_share<dim>(points.n_points_in(cell)) : 0.;
-          const auto          sum = share > 0. ?
-                                      sum_cell<dim, affine, with_acceleration> :
-                                      sum_cell<dim, false, with_acceleration>;
-          const CellSums<dim> sums =
+          const PointVelocity<dim>    velocity(arrays, gradient, points, cell);
+          const auto                  sum = velocity.is_affine() ?
+                                              sum_cell<dim, degree, true, with_acceleration> :
+                                              sum_cell<dim, degree, false, with_acceleration>;
+          const CellSums<dim, degree> sums =
             occupancy.hanging().has_matrix(cell) ?
-              sum_hanging_cell(
-                arrays, points, occupancy, cell, share, with_acceleration) :
+              sum_hanging_cell<dim, degree, with_acceleration>(
+                arrays, velocity, points, occupancy, cell) :
               sum(arrays,
+                  velocity,
                   points.first_point(cell),
                   points.first_point(cell + 1),
                   locator.lower_corner(cell),
-                  locator.extent(cell),
-                  share);
+                  locator.extent(cell));
           const unsigned int *nodes = occupancy.cell_nodes(cell);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
@@ -241,19 +339,56 @@ namespace seiche
         vector->zero_out_ghost_values();
       }
 
-    const auto sum = method.affine ?
-                       (with_acceleration ? &sum_all_cells<dim, true, true> :
-                                            &sum_all_cells<dim, true, false>) :
-                       (with_acceleration ? &sum_all_cells<dim, false, true> :
-                                            &sum_all_cells<dim, false, false>);
-    sum(points, occupancy, state);
+    with_degree(occupancy.fe.degree, [&](const auto degree) {
+      const auto sum = with_acceleration ? sum_all_cells<dim, degree, true> :
+                                           sum_all_cells<dim, degree, false>;
+      sum(points, occupancy, method.gradient, state);
+    });
     for (Vector *vector : sums)
       vector->compress(dealii::VectorOperation::add);
     divide_by_mass(occupancy, with_acceleration, state);
     for (Vector *vector : sums)
       vector->update_ghost_values();
+    improve_velocity(points, state);
     state.velocity_start = state.velocity_n;
     state.velocity_start.update_ghost_values();
+  }
+
+
+
+  template <int dim>
+  void
+  Transfer<dim>::improve_velocity(const PointCloud<dim> &points,
+                                  GridState<dim>        &state) const
+  {
+    using Vector          = typename GridState<dim>::Vector;
+    const bool consistent = parameters.is_consistent(occupancy.fe.degree);
+    const bool series     = method.update == VelocityUpdate::fmpm ||
+                        method.update == VelocityUpdate::xpic;
+    if (!consistent && !series)
+      return;
+    const MassMatrix<dim> mass(points, fill, density, consistent);
+    Vector                momentum;
+    mass.right_hand_side(PointColumn::velocity, momentum);
+    if (consistent)
+      mass.solve(state.velocity_n, momentum);
+    if (series)
+      {
+        Vector velocity(state.velocity_n);
+        mass.expand(velocity, momentum, state.mass, parameters.order - 1);
+        velocity.update_ghost_values();
+        if (method.update == VelocityUpdate::fmpm)
+          state.velocity_n = velocity;
+        else
+          state.velocity_series = velocity;
+      }
+    state.velocity_n.update_ghost_values();
+    if (consistent && state.acceleration_n.size() > 0)
+      {
+        mass.right_hand_side(PointColumn::acceleration, momentum);
+        mass.solve(state.acceleration_n, momentum);
+        state.acceleration_n.update_ghost_values();
+      }
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
 #include <seiche/transfer/transfer.h>
 
 #include <deal.II/base/exceptions.h>
@@ -14,29 +15,63 @@ namespace seiche
   namespace
   {
     /// THE table of transfers.
-    constexpr std::array<TransferMethod, 6> transfer_table = {
-      {{"PIC", false, VelocityUpdate::pic, "points adopt the grid's velocity"},
+    constexpr std::array<TransferMethod, 10> transfer_table = {
+      {{"PIC",
+        GradientUse::none,
+        false,
+        VelocityUpdate::pic,
+        "points adopt the grid's velocity"},
        {"FLIP",
+        GradientUse::none,
         false,
         VelocityUpdate::flip_increment,
         "points add the increment of the grid's velocity"},
        {"FLIP acceleration",
+        GradientUse::none,
         false,
         VelocityUpdate::flip_acceleration,
         "points add dt times the mean of old and new acceleration"},
        {"PIC/FLIP blend",
+        GradientUse::none,
         false,
         VelocityUpdate::blend,
         "\"FLIP fraction\" of FLIP and the rest of PIC"},
        {"APIC",
+        GradientUse::carried,
+        false,
+        VelocityUpdate::pic,
+        "PIC with a velocity gradient at the points (in the configuration at "
+        "the end of the step)"},
+       {"TPIC",
+        GradientUse::carried,
         true,
         VelocityUpdate::pic,
-        "PIC with a velocity gradient at the points"},
+        "the same with the gradient in the configuration at its start, as "
+        "published"},
        {"affine FLIP",
-        true,
+        GradientUse::carried,
+        false,
         VelocityUpdate::flip_increment,
         "FLIP with a velocity gradient at the points, used from points to "
-        "grid"}}};
+        "grid"},
+       {"Taylor least squares",
+        GradientUse::fitted,
+        false,
+        VelocityUpdate::flip_increment,
+        "FLIP; from points to grid the points of a cell pass on the linear "
+        "field closest to their velocities"},
+       {"XPIC",
+        GradientUse::none,
+        false,
+        VelocityUpdate::xpic,
+        "FLIP without the part of the points' velocities that \"Order\" "
+        "passes to the grid and back do not see"},
+       {"FMPM",
+        GradientUse::none,
+        false,
+        VelocityUpdate::fmpm,
+        "PIC with \"Order\" terms of a series for the inverse of the full "
+        "mass matrix"}}};
   } // namespace
 
 
@@ -71,15 +106,41 @@ namespace seiche
                       flip_fraction,
                       "Share of FLIP in the method \"PIC/FLIP blend\". [-]",
                       dealii::Patterns::Double(0., 1.));
+    prm.add_parameter("Order",
+                      order,
+                      "Order of XPIC and FMPM: 1 is PIC, large ones come close "
+                      "to FLIP without its noise. [-]",
+                      dealii::Patterns::Integer(1, 1000));
+    prm.add_parameter("Mass",
+                      mass,
+                      "Mass matrix from points to grid. lumped; consistent: "
+                      "nodal velocities are those closest to the points', one "
+                      "solve a step; automatic: lumped for Element degree 1, "
+                      "consistent for 2.",
+                      dealii::Patterns::Selection(
+                        "automatic|lumped|consistent"));
     prm.leave_subsection();
   }
 
 
 
   void
-  TransferParameters::check(const InputFile &) const
+  TransferParameters::check(const InputFile   &input,
+                            const unsigned int degree,
+                            const unsigned int points_per_direction) const
   {
-    transfer_method(method);
+    const VelocityUpdate update = transfer_method(method).update;
+    input.require(degree == 1 || (update != VelocityUpdate::xpic &&
+                                  update != VelocityUpdate::fmpm),
+                  "Transfer/Method",
+                  "the series of XPIC and FMPM need Formulation/Element degree "
+                  "= 1; with degree 2 use Transfer/Mass = consistent");
+    input.require(!is_consistent(degree) || points_per_direction > degree,
+                  "Points/Per cell and direction",
+                  fmt::format("the consistent mass of elements of degree {} "
+                              "needs {} at least (or Transfer/Mass = lumped)",
+                              degree,
+                              degree + 1));
   }
 
 
@@ -103,14 +164,14 @@ namespace seiche
 
   template <int dim>
   Transfer<dim>::Transfer(const TransferParameters &transfer_parameters,
-                          const Occupancy<dim>     &grid_occupancy)
+                          const Fill<dim>          &grid_fill,
+                          const double              fluid_density)
     : parameters(transfer_parameters)
     , method(transfer_method(transfer_parameters.method))
-    , occupancy(grid_occupancy)
-  {
-    AssertThrow(grid_occupancy.fe.degree == 1,
-                dealii::ExcMessage("Transfers exist for FE_Q(1) only."));
-  }
+    , fill(grid_fill)
+    , occupancy(grid_fill.occupancy)
+    , density(fluid_density)
+  {}
 
 
 
@@ -120,7 +181,7 @@ namespace seiche
   {
     const TransferMethod &method = transfer_method(parameters.method);
     std::set<PointColumn> result;
-    if (method.affine)
+    if (method.gradient == GradientUse::carried)
       result.insert(PointColumn::velocity_gradient);
     if (method.update == VelocityUpdate::flip_acceleration)
       result.insert(PointColumn::acceleration);

@@ -77,15 +77,15 @@ namespace
     double error = 0.;
     for (const unsigned int cell : occupancy.active_cells())
       {
-        double at[LinearShape<dim>::n_nodes];
-        for (unsigned int a = 0; a < LinearShape<dim>::n_nodes; ++a)
+        double at[TensorShape<dim, 1>::n_nodes];
+        for (unsigned int a = 0; a < TensorShape<dim, 1>::n_nodes; ++a)
           at[a] = values.local_element(occupancy.cell_nodes(cell)[a]);
         occupancy.expand(cell, at);
-        for (unsigned int a = 0; a < LinearShape<dim>::n_nodes; ++a)
+        for (unsigned int a = 0; a < TensorShape<dim, 1>::n_nodes; ++a)
           {
             Point<dim> x = occupancy.locator.lower_corner(cell);
             for (unsigned int d = 0; d < dim; ++d)
-              x[d] += LinearShape<dim>::corner(a, d) *
+              x[d] += TensorShape<dim, 1>::place(a, d) *
                       occupancy.locator.extent(cell)[d];
             error = std::max(error, std::abs(at[a] - linear<dim>(x)));
           }
@@ -150,9 +150,9 @@ namespace
 
     // ghost faces: no jump in the linear function, rows sum up to zero, and
     // half the squared kink of |x_0 - place| is integrated exactly
-    GhostFaceMatrix<dim> matrix;
-    double               worst = 0., rows = 0.;
-    unsigned int         hanging = 0;
+    GhostFaceMatrix<dim, 1> matrix;
+    double                  worst = 0., rows = 0.;
+    unsigned int            hanging = 0;
     for (const GhostFace &face : fill.ghost_faces())
       {
         matrix.evaluate(face, occupancy);

@@ -41,7 +41,7 @@ namespace
            const Fill<dim>      &fill,
            BlockMatrix<dim>     &matrix)
   {
-    CellData<dim> data;
+    CellData<dim, 1> data;
     matrix.reinit(fill);
     matrix.set_zero();
     for (const unsigned int cell : occupancy.occupied_cells())
@@ -50,8 +50,8 @@ namespace
         const Point<dim>         corner  = occupancy.locator.lower_corner(cell);
         const auto               entry =
           [&](auto &block, const double shift, const double diagonal) {
-            for (unsigned int a = 0; a < CellData<dim>::n_nodes; ++a)
-              for (unsigned int b = 0; b < CellData<dim>::n_nodes; ++b)
+            for (unsigned int a = 0; a < CellData<dim, 1>::n_nodes; ++a)
+              for (unsigned int b = 0; b < CellData<dim, 1>::n_nodes; ++b)
                 block[a][b] = std::cos(a + 2. * b + shift + corner[0]) +
                               (a == b ? diagonal : 0.);
             if (hanging.has_matrix(cell))
@@ -67,7 +67,7 @@ namespace
         entry(data.pp, 20., 40.);
         matrix.add_cell(cell, data);
       }
-    GhostFaceMatrix<dim> face_matrix;
+    GhostFaceMatrix<dim, 1> face_matrix;
     for (const GhostFace &face : fill.ghost_faces())
       {
         face_matrix.evaluate(face, occupancy);

@@ -22,9 +22,9 @@ namespace
            (2. * (generator() / static_cast<double>(generator.max())) - 1.);
   }
 
-  template <int dim>
+  template <int dim, int degree>
   void
-  fill_cell(CellData<dim> &cell, const double theta, const bool sliver)
+  fill_cell(CellData<dim, degree> &cell, const double theta, const bool sliver)
   {
     const double dt                   = 0.05;
     cell.coefficients                 = StepCoefficients();
@@ -53,13 +53,13 @@ namespace
   }
 
   /// Unknowns: u component by component, then p.
-  template <int dim>
+  template <int dim, int degree>
   void
-  set_state(CellData<dim>             &cell,
+  set_state(CellData<dim, degree>     &cell,
             const std::vector<double> &x,
             const std::vector<double> &offsets)
   {
-    constexpr unsigned int n = CellData<dim>::n_nodes;
+    constexpr unsigned int n = CellData<dim, degree>::n_nodes;
     const auto            &c = cell.coefficients;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int a = 0; a < n; ++a)
@@ -73,22 +73,22 @@ namespace
       cell.pressure[a] = x[dim * n + a];
   }
 
-  template <int dim>
+  template <int dim, int degree>
   double
-  residual_entry(const CellData<dim> &cell, const unsigned int row)
+  residual_entry(const CellData<dim, degree> &cell, const unsigned int row)
   {
-    constexpr unsigned int n = CellData<dim>::n_nodes;
+    constexpr unsigned int n = CellData<dim, degree>::n_nodes;
     return row < dim * n ? cell.residual_u[row / n][row % n] :
                            cell.residual_p[row - dim * n];
   }
 
-  template <int dim>
+  template <int dim, int degree>
   double
-  tangent_entry(const CellData<dim> &cell,
-                const unsigned int   row,
-                const unsigned int   column)
+  tangent_entry(const CellData<dim, degree> &cell,
+                const unsigned int           row,
+                const unsigned int           column)
   {
-    constexpr unsigned int n     = CellData<dim>::n_nodes;
+    constexpr unsigned int n     = CellData<dim, degree>::n_nodes;
     const bool             u_row = row < dim * n, u_column = column < dim * n;
     const unsigned int     a = row % n, b = column % n;
     if (u_row && u_column)
@@ -101,11 +101,12 @@ namespace
   }
 
   /// Largest error of a block over the block's largest entry, over all blocks.
-  template <int dim>
+  template <int dim, int degree>
   double
-  tangent_error(const Formulation<dim> &formulation, CellData<dim> &cell)
+  tangent_error(const Formulation<dim> &formulation,
+                CellData<dim, degree>  &cell)
   {
-    constexpr unsigned int n = CellData<dim>::n_nodes;
+    constexpr unsigned int n = CellData<dim, degree>::n_nodes;
     const unsigned int     n_unknowns =
       n * (formulation.has_pressure() ? dim + 1 : dim);
     std::vector<double> x(n * (dim + 1)), offsets(n * dim);
@@ -148,12 +149,12 @@ namespace
     return worst;
   }
 
-  template <int dim>
+  template <int dim, int degree>
   void
   test()
   {
-    const double  infinite = std::numeric_limits<double>::infinity();
-    CellData<dim> cell;
+    const double          infinite = std::numeric_limits<double>::infinity();
+    CellData<dim, degree> cell;
     for (const char *name : {"displacement-pressure", "displacement"})
       for (const char *stabilization : {"ASGS", "none"})
         for (const char *tau : {"transient", "paper"})
@@ -172,10 +173,10 @@ namespace
                       parameters, {3., kappa, NewtonianLaw{viscosity}});
                     fill_cell(cell, theta, sliver);
                     const double error = tangent_error(*formulation, cell);
-                    std::cout << dim << "D " << name << ' ' << stabilization
-                              << ' ' << tau << " mu " << viscosity << " kappa "
-                              << kappa << " theta " << theta
-                              << (sliver ? " sliver" : "") << ": "
+                    std::cout << dim << "D Q" << degree << ' ' << name << ' '
+                              << stabilization << ' ' << tau << " mu "
+                              << viscosity << " kappa " << kappa << " theta "
+                              << theta << (sliver ? " sliver" : "") << ": "
                               << (error < 1e-6 ? "exact" : "WRONG") << '\n';
                     if (!(error < 1e-6))
                       std::cout << "  relative error " << error << '\n';
@@ -186,6 +187,8 @@ namespace
 int
 main()
 {
-  test<2>();
-  test<3>();
+  test<2, 1>();
+  test<3, 1>();
+  test<2, 2>();
+  test<3, 2>();
 }

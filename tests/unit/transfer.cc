@@ -2,6 +2,7 @@
 // Mass, momentum, angular momentum and energy through each transfer, and
 // what is exact for linear fields.
 #include <seiche/grid/mesh_adaptation.h>
+#include <seiche/transfer/interpolate.h>
 #include <seiche/transfer/transfer.h>
 
 #include <cmath>
@@ -143,12 +144,34 @@ namespace
 
 
 
+  /// Momentum [kg m/s] of a nodal velocity seen by the points: sum_p m_p N v,
+  /// which a consistent mass conserves.
   template <int dim>
   void
-  test(const std::string &method, const bool adaptive)
+  print_momentum_at_points(const seiche::Occupancy<dim> &occupancy,
+                           const seiche::GridState<dim> &state,
+                           seiche::PointCloud<dim>       points)
+  {
+    seiche::interpolate_to_points(occupancy,
+                                  state.velocity_n,
+                                  PointColumn::velocity,
+                                  points);
+    print("nodes at points", of_points(points));
+  }
+
+
+
+  template <int dim>
+  void
+  test(const std::string &method,
+       const bool         adaptive,
+       const unsigned int degree = 1,
+       const std::string &mass   = "automatic")
   {
     if (root())
       std::cout << dim << "D " << method << (adaptive ? ", hanging nodes" : "")
+                << (degree == 2 ? ", degree 2" : "")
+                << (mass == "automatic" ? "" : ", " + mass + " mass")
                 << std::endl;
     const SceneFromText<dim>    scene(scene_text<dim>() +
                                    (adaptive ? refinement_text<dim>() : ""));
@@ -156,6 +179,7 @@ namespace
     seiche::CellLocator<dim>    locator(grid);
     seiche::TransferParameters  parameters;
     parameters.method = method;
+    parameters.mass   = mass;
     seiche::PointCloud<dim> points(locator,
                                    seiche::Transfer<dim>::columns(parameters),
                                    communicator);
@@ -163,21 +187,25 @@ namespace
       scene.seeding, scene.bodies, scene.input, /*density=*/100., points);
     if (adaptive)
       seiche::MeshAdaptation<dim>(grid, locator, points);
-    seiche::Occupancy<dim> occupancy(locator, /*degree=*/1);
+    seiche::Occupancy<dim> occupancy(locator, degree);
     occupancy.update(points);
+    seiche::Fill<dim> fill(occupancy, /*gauss=*/true);
+    fill.update(points);
     seiche::GridState<dim> state;
     state.reinit(occupancy,
                  /*with_pressure=*/true,
                  /*with_acceleration=*/
                  points.has(PointColumn::acceleration));
     state.dt = 0.01;
-    const seiche::Transfer<dim> transfer(parameters, occupancy);
+    const seiche::Transfer<dim> transfer(parameters, fill, /*density=*/100.);
     for (std::size_t p = 0; p < points.size(); ++p)
       points.data(PointColumn::pressure)[p] = 7.;
 
     print("points", of_points(points));
     transfer.points_to_grid(points, state);
     print("nodes", of_nodes(occupancy, state, state.velocity_n));
+    if (parameters.is_consistent(degree))
+      print_momentum_at_points(occupancy, state, points);
 
     // largest error of the linear field at nodes, and the mean pressure
     double error = 0., pressure_error = 0.;
@@ -263,7 +291,11 @@ main(int argc, char **argv)
                              "FLIP acceleration",
                              "PIC/FLIP blend",
                              "APIC",
-                             "affine FLIP"})
+                             "TPIC",
+                             "affine FLIP",
+                             "Taylor least squares",
+                             "XPIC",
+                             "FMPM"})
     {
       test<2>(method, /*adaptive=*/false);
       test<3>(method, /*adaptive=*/false);
@@ -273,4 +305,13 @@ main(int argc, char **argv)
       test<2>(method, /*adaptive=*/true);
       test<3>(method, /*adaptive=*/true);
     }
+  for (const char *method : {"FLIP", "affine FLIP"})
+    for (const unsigned int degree : {1, 2})
+      for (const bool adaptive : {false, true})
+        {
+          test<2>(method, adaptive, degree, "consistent");
+          test<3>(method, adaptive, degree, "consistent");
+        }
+  test<2>("affine FLIP", /*adaptive=*/true, 2, "lumped");
+  test<3>("affine FLIP", /*adaptive=*/true, 2, "lumped");
 }

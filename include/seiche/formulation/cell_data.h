@@ -13,15 +13,16 @@
 namespace seiche
 {
   /**
-   * @brief Everything a weak form reads and writes of one cell (FE_Q(1)).
+   * @brief Everything a weak form reads and writes of one cell.
    *
    * Allocated once by the assembler. The node index runs fastest in every
    * array, so that loops over nodes fill the vector registers.
    */
-  template <int dim>
+  template <int dim, int degree>
   struct CellData
   {
-    static constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
+    using Shape                           = TensorShape<dim, degree>;
+    static constexpr unsigned int n_nodes = Shape::n_nodes;
     using NodalScalar                     = double[n_nodes];
     using NodalVector                     = double[dim][n_nodes];
 

@@ -21,13 +21,25 @@ namespace seiche
     bool
     has_pressure() const override;
     void
-    residual(CellData<dim> &cell) const override;
+    residual(CellData<dim, 1> &cell) const override;
     void
-    tangent(CellData<dim> &cell) const override;
+    residual(CellData<dim, 2> &cell) const override;
+    void
+    tangent(CellData<dim, 1> &cell) const override;
+    void
+    tangent(CellData<dim, 2> &cell) const override;
 
     /// p = -kappa (J - 1).
     void
     update_points(PointCloud<dim> &points) const override;
+
+  private:
+    template <int degree>
+    void
+    add_residual(CellData<dim, degree> &cell) const;
+    template <int degree>
+    void
+    add_tangent(CellData<dim, degree> &cell) const;
   };
 } // namespace seiche
 

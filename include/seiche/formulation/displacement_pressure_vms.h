@@ -23,18 +23,33 @@ namespace seiche
     bool
     has_pressure() const override;
     void
-    residual(CellData<dim> &cell) const override;
+    residual(CellData<dim, 1> &cell) const override;
     void
-    tangent(CellData<dim> &cell) const override;
+    residual(CellData<dim, 2> &cell) const override;
+    void
+    tangent(CellData<dim, 1> &cell) const override;
+    void
+    tangent(CellData<dim, 2> &cell) const override;
 
   private:
+    template <int degree>
+    void
+    add_residual(CellData<dim, degree> &cell) const;
+    template <int degree>
+    void
+    add_tangent(CellData<dim, degree> &cell) const;
+
     /// The tau1 term of a sliver cell: Gauss points that share the cell's
     /// volume; body force and inertia by cell mean (one point alone would
     /// leave an hourglass mode in the pressure).
+    template <int degree>
     void
-    sliver_residual(CellData<dim> &cell, const double tau_momentum) const;
+    sliver_residual(CellData<dim, degree> &cell,
+                    const double           tau_momentum) const;
+    template <int degree>
     void
-    sliver_tangent(CellData<dim> &cell, const double tau_momentum) const;
+    sliver_tangent(CellData<dim, degree> &cell,
+                   const double           tau_momentum) const;
   };
 } // namespace seiche
 

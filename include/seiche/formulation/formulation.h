@@ -29,8 +29,8 @@ namespace seiche
   /**
    * @brief A weak form: residual and exact tangent of one cell.
    *
-   * One virtual call a cell; the loops over quadrature points and nodes are
-   * inside. Equations: doc/theory.md.
+   * One virtual call a cell, for each element degree; the loops over
+   * quadrature points and nodes are inside. Equations: doc/theory.md.
    */
   template <int dim>
   class Formulation
@@ -50,11 +50,15 @@ namespace seiche
 
     /// Add to residual_u (and residual_p) of the cell; clears them first.
     virtual void
-    residual(CellData<dim> &cell) const = 0;
+    residual(CellData<dim, 1> &cell) const = 0;
+    virtual void
+    residual(CellData<dim, 2> &cell) const = 0;
 
     /// The blocks uu (up, pu, pp): derivative of residual(); clears first.
     virtual void
-    tangent(CellData<dim> &cell) const = 0;
+    tangent(CellData<dim, 1> &cell) const = 0;
+    virtual void
+    tangent(CellData<dim, 2> &cell) const = 0;
 
     /// Derived columns of the points after their volume ratio has changed
     /// (the pressure, where it is no unknown). Local.
@@ -65,8 +69,17 @@ namespace seiche
     }
 
     /// tau of a cell from its size and mean velocity.
+    template <int degree>
     Tau
-    tau(const CellData<dim> &cell) const;
+    tau(const CellData<dim, degree> &cell) const
+    {
+      return stabilization.evaluate(cell.coefficients,
+                                    material.density,
+                                    material.viscosity(cell.coefficients),
+                                    cell.size,
+                                    degree,
+                                    cell.start_speed);
+    }
 
     const MaterialConstants       material;
     const StabilizationParameters stabilization;
@@ -75,7 +88,8 @@ namespace seiche
   /// prm entry "Formulation/Name" beside the stabilization's.
   struct FormulationParameters
   {
-    std::string             name = "displacement-pressure";
+    std::string             name   = "displacement-pressure";
+    unsigned int            degree = 1;
     StabilizationParameters stabilization;
 
     void

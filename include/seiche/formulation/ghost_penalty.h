@@ -3,7 +3,7 @@
 #define seiche_formulation_ghost_penalty_h
 
 #include <seiche/formulation/formulation.h>
-#include <seiche/grid/fill.h>
+#include <seiche/grid/ghost_face_matrix.h>
 
 namespace dealii
 {
@@ -31,42 +31,17 @@ namespace seiche
     }
   };
 
-  /// Coefficients of one ghost face: all terms share its matrix
-  /// B = int_F [dn N_a][dn N_b] [m^(dim-3)].
+  /**
+   * @brief Coefficients of the ghost penalty on one face of a cut cell (Burman
+   * 2010; Coombs 2023; doc/theory.md): jumps of normal derivatives of
+   * acceleration, pressure and, on thin cells, velocity. All terms share the
+   * face's matrix B (GhostFaceMatrix).
+   */
   struct GhostCoefficients
   {
     double acceleration = 0.; ///< gamma_a rho h^3: R_u += . B a
     double velocity     = 0.; ///< gamma_v rho h^3/T_v, thin faces: R_u += . B v
     double pressure     = 0.; ///< gamma_p tau1 h: R_p += . B p
-  };
-
-  /**
-   * @brief Ghost penalty on the faces of cut cells (Burman 2010; Coombs 2023;
-   * doc/theory.md): jumps of normal derivatives of acceleration, pressure and,
-   * on thin cells, velocity. Row sums are zero: momentum is conserved.
-   */
-  template <int dim>
-  struct GhostFaceMatrix
-  {
-    static constexpr unsigned int max_nodes = 2u << dim;
-
-    /// Nodes of the two cells: 3 in the direction of the normal. With hanging
-    /// nodes the list is that of one cell and then of the other, and a node
-    /// may occur in it twice.
-    unsigned int n_nodes = 0;
-    unsigned int nodes[max_nodes]; ///< local node indices
-    double       B[max_nodes][max_nodes];
-    double       h; ///< mean edge length along the normal [m]
-
-    /// Local.
-    void
-    evaluate(const GhostFace &face, const Occupancy<dim> &occupancy);
-
-  private:
-    void
-    evaluate_conforming(const GhostFace &face, const Occupancy<dim> &occupancy);
-    void
-    evaluate_hanging(const GhostFace &face, const Occupancy<dim> &occupancy);
   };
 
   /// @p damping false leaves out the velocity term (projection of v_0).

@@ -11,28 +11,30 @@ namespace seiche
    * @brief The terms of the momentum balance that all formulations share:
    * inertia, body force, stress, their derivatives.
    */
-  template <int dim>
+  template <int dim, int degree>
   struct MomentumTerms
   {
-    static constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+    static constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
 
     /// Add m N (a - b) + V_t S:grad_t w; @p stress is the whole S = s - p I.
     /// A sliver cell takes the acceleration at the node (lumped mass).
     static void
-    add_residual(CellData<dim>                &cell,
-                 const PointKinematics<dim>   &point,
-                 const double                  mass,
-                 const double                  volume_t,
-                 const dealii::Tensor<1, dim> &acceleration,
-                 const dealii::Tensor<1, dim> &body_force,
-                 const dealii::Tensor<2, dim> &stress)
+    add_residual(CellData<dim, degree>              &cell,
+                 const PointKinematics<dim, degree> &point,
+                 const double                        mass,
+                 const double                        volume_t,
+                 const dealii::Tensor<1, dim>       &acceleration,
+                 const dealii::Tensor<1, dim>       &body_force,
+                 const dealii::Tensor<2, dim>       &stress)
     {
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            const double inertia =
-              cell.sliver ? cell.acceleration[i][a] : acceleration[i];
-            double force = mass * point.N[a] * (inertia - body_force[i]);
+            double force =
+              cell.sliver ?
+                mass * point.lumped(a) *
+                  (cell.acceleration[i][a] - body_force[i]) :
+                mass * point.N[a] * (acceleration[i] - body_force[i]);
             for (unsigned int j = 0; j < dim; ++j)
               force += volume_t * stress[i][j] * point.gradient_t[j][a];
             cell.residual_u[i][a] += force;
@@ -47,14 +49,14 @@ namespace seiche
      * where bulk is tau2 (mixed) or kappa (irreducible).
      */
     static void
-    add_tangent(CellData<dim>                &cell,
-                const PointKinematics<dim>   &point,
-                const double                  mass,
-                const double                  volume_t,
-                const double                  viscosity,
-                const double                  bulk_J,
-                const dealii::Tensor<2, dim> &velocity_gradient,
-                const dealii::Tensor<2, dim> &stress)
+    add_tangent(CellData<dim, degree>              &cell,
+                const PointKinematics<dim, degree> &point,
+                const double                        mass,
+                const double                        volume_t,
+                const double                        viscosity,
+                const double                        bulk_J,
+                const dealii::Tensor<2, dim>       &velocity_gradient,
+                const dealii::Tensor<2, dim>       &stress)
     {
       const double theta   = cell.coefficients.theta;
       const auto  &g       = point.gradient_t;
@@ -87,7 +89,7 @@ namespace seiche
           {
             const double weight = inertia * point.N[a];
             if (cell.sliver)
-              cell.uu[i][i][a][a] += weight;
+              cell.uu[i][i][a][a] += inertia * point.lumped(a);
             else
               for (unsigned int b = 0; b < n_nodes; ++b)
                 cell.uu[i][i][a][b] += weight * point.N[b];
@@ -102,10 +104,10 @@ namespace seiche
   private:
     /// ds = 2 mu dev(sym(dl)), dl = (c_r I - theta l) grad_t du.
     static void
-    add_viscous_tangent(CellData<dim>                &cell,
-                        const PointKinematics<dim>   &point,
-                        const double                  weight, // mu V_t
-                        const dealii::Tensor<2, dim> &velocity_gradient)
+    add_viscous_tangent(CellData<dim, degree>              &cell,
+                        const PointKinematics<dim, degree> &point,
+                        const double                        weight, // mu V_t
+                        const dealii::Tensor<2, dim>       &velocity_gradient)
     {
       const auto            &g = point.gradient_t;
       dealii::Tensor<2, dim> m = -cell.coefficients.theta * velocity_gradient;

@@ -13,16 +13,29 @@ namespace seiche
    * (constraint). Notation of doc/theory.md: f_t = I + theta H, H = grad_n u,
    * grad_t N = f_t^-T grad_n N.
    */
-  template <int dim>
+  template <int dim, int degree>
   struct PointKinematics
   {
-    static constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
+    using Shape                           = TensorShape<dim, degree>;
+    static constexpr unsigned int n_nodes = Shape::n_nodes;
 
     alignas(64) double N[n_nodes];
     alignas(64) double gradient_n[dim][n_nodes]; ///< [1/m]
     alignas(64) double gradient_t[dim][n_nodes]; ///< [1/m]
     alignas(64) double gradient_1[dim][n_nodes]; ///< [1/m], if asked for
     double det_t = 1., det_1 = 1.;
+
+    /// Second derivatives of N in configuration t [1/m^2], if asked for with
+    /// evaluate_second_derivatives().
+    alignas(64) double second[degree > 1 ? dim : 1][degree > 1 ? dim : 1]
+                             [degree > 1 ? n_nodes : 1];
+
+    /// Share of node a of a lumped mass: positive, as N of FE_Q(1) is.
+    double
+    lumped(const unsigned int a) const
+    {
+      return degree == 1 ? N[a] : hat[a];
+    }
 
     /// Value of a nodal field.
     double
@@ -72,9 +85,9 @@ namespace seiche
     /// Evaluate at quadrature point q of the cell; gradient_1 only if
     /// @p with_end (tangents need it).
     void
-    evaluate(const CellData<dim> &cell,
-             const unsigned int   q,
-             const bool           with_end)
+    evaluate(const CellData<dim, degree> &cell,
+             const unsigned int           q,
+             const bool                   with_end)
     {
       shape(cell.quadrature.point(q), cell.extent);
       const dealii::Tensor<2, dim> H = gradient(cell.displacement, gradient_n);
@@ -86,42 +99,93 @@ namespace seiche
           f_t[i][i] += 1.;
           f_1[i][i] += 1.;
         }
-      det_t = dealii::determinant(f_t);
-      det_1 = dealii::determinant(f_1);
-      push_forward(dealii::invert(f_t), gradient_t);
+      det_t     = dealii::determinant(f_t);
+      det_1     = dealii::determinant(f_1);
+      inverse_t = dealii::invert(f_t);
+      push_forward(inverse_t, gradient_t);
       if (with_end)
         push_forward(dealii::invert(f_1), gradient_1);
+    }
+
+    /**
+     * N_,jk = N_,PQ f^-1_Pj f^-1_Qk - theta N_,m u_m,PQ f^-1_Pj f^-1_Qk in the
+     * configuration t, after evaluate() at the same point.
+     */
+    void
+    evaluate_second_derivatives(const CellData<dim, degree> &cell,
+                                const unsigned int           q)
+    {
+      static_assert(degree > 1, "left out for FE_Q(1): doc/theory.md");
+      const dealii::Point<dim> unit = cell.quadrature.point(q);
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          dealii::Tensor<2, dim> reference;
+          for (unsigned int P = 0; P < dim; ++P)
+            for (unsigned int Q = 0; Q < dim; ++Q)
+              reference[P][Q] = Shape::second_derivative(unit, a, P, Q) /
+                                (cell.extent[P] * cell.extent[Q]);
+          const dealii::Tensor<2, dim> pushed =
+            transpose(inverse_t) * reference * inverse_t;
+          for (unsigned int j = 0; j < dim; ++j)
+            for (unsigned int k = 0; k < dim; ++k)
+              second[j][k][a] = pushed[j][k];
+        }
+      for (unsigned int j = 0; j < dim; ++j)
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            const dealii::Tensor<1, dim> curvature = // of u
+              cell.coefficients.theta * sum(cell.displacement, second[j][k]);
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              for (unsigned int m = 0; m < dim; ++m)
+                second[j][k][a] -= gradient_t[m][a] * curvature[m];
+          }
+    }
+
+    /// sum_a weights_a nodal_a of a nodal vector.
+    static dealii::Tensor<1, dim>
+    sum(const double (&nodal)[dim][n_nodes], const double (&weights)[n_nodes])
+    {
+      dealii::Tensor<1, dim> result;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          result[i] += weights[a] * nodal[i][a];
+      return result;
     }
 
     /// N and gradient_n only.
     void
     shape(const dealii::Point<dim> &unit, const dealii::Tensor<1, dim> &extent)
     {
-      // factor[d][0/1]: the one-dimensional shape functions
-      double factor[dim][2];
+      double line[dim][Shape::n_line], slope[dim][Shape::n_line];
       for (unsigned int d = 0; d < dim; ++d)
         {
-          factor[d][1] = unit[d];
-          factor[d][0] = 1. - factor[d][1];
+          Shape::line_values(unit[d], line[d]);
+          Shape::line_slopes(unit[d], slope[d]);
+          for (double &value : slope[d])
+            value /= extent[d];
         }
       for (unsigned int a = 0; a < n_nodes; ++a)
         {
           N[a] = 1.;
           for (unsigned int d = 0; d < dim; ++d)
-            N[a] *= factor[d][LinearShape<dim>::corner(a, d)];
+            N[a] *= line[d][Shape::place(a, d)];
           for (unsigned int d = 0; d < dim; ++d)
             {
-              double slope =
-                (LinearShape<dim>::corner(a, d) ? 1. : -1.) / extent[d];
+              double derivative = slope[d][Shape::place(a, d)];
               for (unsigned int e = 0; e < dim; ++e)
                 if (e != d)
-                  slope *= factor[e][LinearShape<dim>::corner(a, e)];
-              gradient_n[d][a] = slope;
+                  derivative *= line[e][Shape::place(a, e)];
+              gradient_n[d][a] = derivative;
             }
         }
+      if constexpr (degree > 1)
+        Shape::hats(unit, hat);
     }
 
   private:
+    dealii::Tensor<2, dim> inverse_t; ///< f_t^-1
+    double                 hat[degree > 1 ? n_nodes : 1];
+
     void
     push_forward(const dealii::Tensor<2, dim> &inverse,
                  double (&result)[dim][n_nodes]) const

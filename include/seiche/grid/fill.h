@@ -71,7 +71,8 @@ namespace seiche
       return fill[cell];
     }
 
-    /// sum N_I V0 over the node's full volume; own and ghost nodes.
+    /// sum N_I V0 over the node's full volume, N_I of FE_Q(1); own and ghost
+    /// nodes, zero where no vertex lies.
     const Vector &
     nodal_fill() const
     {

@@ -36,10 +36,11 @@ namespace seiche
     double time = 0.; ///< [s] t_n, start of the step
     double dt   = 0.; ///< [s] step size
 
-    Vector mass;           ///< [kg] lumped mass from the points
-    Vector velocity_n;     ///< [m/s] from the points, walls applied
-    Vector velocity_start; ///< [m/s] v_0 of the step: projected velocity_n
-    Vector acceleration_n; ///< [m/s^2] empty unless the scheme carries it
+    Vector mass;            ///< [kg] lumped mass from the points
+    Vector velocity_n;      ///< [m/s] from the points, walls applied
+    Vector velocity_start;  ///< [m/s] v_0 of the step: projected velocity_n
+    Vector velocity_series; ///< [m/s] XPIC: M^-1 p by its series, or empty
+    Vector acceleration_n;  ///< [m/s^2] empty unless the scheme carries it
 
     /// Unknowns: block 0 the displacement since t_n [m], block 1 the pressure
     /// [Pa] (there is no block 1 in the irreducible form).

@@ -5,6 +5,7 @@
 #include <seiche/grid/hanging_nodes.h>
 #include <seiche/points/cell_locator.h>
 #include <seiche/points/point_cloud.h>
+#include <seiche/utilities/shape_functions.h>
 
 #include <deal.II/base/partitioner.h>
 
@@ -64,6 +65,22 @@ namespace seiche
       return fe.n_dofs_per_cell();
     }
 
+    /// Index 0 ... degree of node a of a cell in direction d.
+    unsigned int
+    place(const unsigned int a, const unsigned int d) const
+    {
+      return fe.degree == 1 ? TensorShape<dim, 1>::place(a, d) :
+                              TensorShape<dim, 2>::place(a, d);
+    }
+
+    /// Node of a cell at its vertex v.
+    unsigned int
+    vertex_node(const unsigned int v) const
+    {
+      return fe.degree == 1 ? TensorShape<dim, 1>::vertex(v) :
+                              TensorShape<dim, 2>::vertex(v);
+    }
+
     /// Own occupied cells, ascending local numbers.
     const std::vector<unsigned int> &
     occupied_cells() const
@@ -93,8 +110,7 @@ namespace seiche
 
     /// Local node indices [nodes_per_cell()] of an active own or ghost cell,
     /// masters in place of hanging nodes (expand() after reading values,
-    /// condense() before adding); lexicographic for degree 1 (deal.II's
-    /// numbering of FE_Q otherwise).
+    /// condense() before adding); lexicographic.
     const unsigned int *
     cell_nodes(const unsigned int cell) const
     {
@@ -171,7 +187,8 @@ namespace seiche
              const dealii::types::boundary_id wall,
              const unsigned int               component) const;
 
-    /// Integral of the shape function over the whole domain [m^dim].
+    /// Integral of the node's hat function of FE_Q(1) over the whole domain
+    /// [m^dim]: zero where no vertex of a cell lies.
     double
     node_volume(const unsigned int node) const
     {

@@ -9,6 +9,8 @@
 #include <seiche/solve/block_matrix.h>
 #include <seiche/utilities/timer_tree.h>
 
+#include <tuple>
+
 namespace seiche
 {
   /**
@@ -51,7 +53,7 @@ namespace seiche
     const StepCoefficients &
     coefficients() const
     {
-      return data.coefficients;
+      return step;
     }
 
     /// tau of a cell of this size [m] (speed zero).
@@ -72,9 +74,27 @@ namespace seiche
     const FreeSurfaceParameters &free_surface;
 
   private:
-    /// Fill the workspace with cell and nodal values.
+    template <int degree>
     void
+    add_residual(GridState<dim> &state, BlockVector &residual);
+
+    template <int degree>
+    void
+    add_tangent(const GridState<dim> &state, BlockMatrix<dim> &matrix);
+
+    /// Fill the workspace with cell and nodal values.
+    template <int degree>
+    CellData<dim, degree> &
     gather(const unsigned int cell, const GridState<dim> &state);
+
+    /// The same of a body force that varies, at the places that v_0 predicts:
+    /// second order, and the tangent does not need the gradient of the
+    /// expression.
+    template <int degree>
+    void
+    gather_body_force(
+      const unsigned int cell,
+      const double (&start_velocity)[dim][CellData<dim, degree>::n_nodes]);
 
     /// True if the tangent of a cell full of Gauss points depends on nothing
     /// but its extents: the projection of the start velocity. Local.
@@ -82,11 +102,12 @@ namespace seiche
     is_at_rest(const GridState<dim> &state) const;
 
     /// Rows and columns of hanging nodes go to their masters.
+    template <int degree>
     void
-    condense_tangent(const unsigned int cell);
+    condense_tangent(const unsigned int cell, CellData<dim, degree> &data);
 
     /// f(face matrix, coefficients) on each ghost face of this rank.
-    template <typename Function>
+    template <int degree, typename Function>
     void
     for_each_ghost_face(const Function &f);
 
@@ -98,7 +119,9 @@ namespace seiche
     double                 time           = 0.;
     const Vector          *inertia_offset = nullptr;
     const Vector          *rate_offset    = nullptr;
-    CellData<dim>          data;
+    StepCoefficients       step;
+
+    std::tuple<CellData<dim, 1>, CellData<dim, 2>> workspace; // of one cell
   };
 } // namespace seiche
 

@@ -49,15 +49,17 @@ namespace seiche
 
     /// Add the blocks of an own occupied cell; rows and columns of fixed
     /// components are left out.
+    template <int degree>
     void
-    add_cell(const unsigned int cell, const CellData<dim> &data);
+    add_cell(const unsigned int cell, const CellData<dim, degree> &data);
 
     /// Add B times a coefficient for each velocity component, and one for the
     /// pressure.
+    template <int degree>
     void
-    add_face(const GhostFaceMatrix<dim> &face,
-             const double                velocity_coefficient,
-             const double                pressure_coefficient);
+    add_face(const GhostFaceMatrix<dim, degree> &face,
+             const double                        velocity_coefficient,
+             const double                        pressure_coefficient);
 
     /// Sum over ranks; rows that got nothing become multiples of identity.
     /// Collective.
@@ -120,8 +122,6 @@ namespace seiche
     }
 
   private:
-    static constexpr unsigned int n_nodes = CellData<dim>::n_nodes;
-
     /// Zero diagonals of rows without entries get the largest of their block.
     void
     complete_diagonal();

@@ -3,7 +3,6 @@
 #define seiche_solve_node_pattern_h
 
 #include <seiche/grid/fill.h>
-#include <seiche/utilities/shape_functions.h>
 
 #include <cstdint>
 #include <memory>
@@ -26,8 +25,6 @@ namespace seiche
   class NodePattern
   {
   public:
-    static constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
-
     /// The reference must outlive the pattern.
     explicit NodePattern(const Occupancy<dim> &occupancy);
 
@@ -142,6 +139,7 @@ namespace seiche
     void
     build_tables();
 
+    const unsigned int         n_nodes; ///< of a cell
     unsigned int               numbering_generation = 0;
     std::vector<unsigned int>  begin_of_row; // [n_local_nodes + 1]
     std::vector<unsigned int>  column;

@@ -24,10 +24,12 @@ namespace seiche
 
 
   /// Nodal values of one cell, component by component.
-  template <int dim>
+  template <int dim, int degree>
   struct CellField
   {
-    double values[dim][LinearShape<dim>::n_nodes];
+    static constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+
+    double values[dim][n_nodes];
 
     void
     gather(const double         *vector,
@@ -35,7 +37,7 @@ namespace seiche
            const unsigned int    cell)
     {
       const unsigned int *nodes = occupancy.cell_nodes(cell);
-      for (unsigned int i = 0; i < LinearShape<dim>::n_nodes; ++i)
+      for (unsigned int i = 0; i < n_nodes; ++i)
         for (unsigned int c = 0; c < dim; ++c)
           values[c][i] = vector[dim * nodes[i] + c];
       for (unsigned int c = 0; c < dim; ++c)
@@ -46,10 +48,11 @@ namespace seiche
 
 
   /// Shape functions at the points of one block.
-  template <int dim>
+  template <int dim, int degree>
   struct Block
   {
-    static constexpr unsigned int n_nodes = LinearShape<dim>::n_nodes;
+    using Shape                           = TensorShape<dim, degree>;
+    static constexpr unsigned int n_nodes = Shape::n_nodes;
 
     double N[n_nodes][n_lanes];
     double gradient[n_nodes][dim][n_lanes]; // at t_n, [1/m]
@@ -72,7 +75,7 @@ namespace seiche
               (arrays.position[d][first + (l < n_filled ? l : 0)] - lower[d]) *
               inverse;
         }
-      LinearShape<dim>::evaluate_lanes(unit, N, gradient);
+      Shape::evaluate_lanes(unit, N, gradient);
       for (unsigned int d = 0; d < dim; ++d)
         {
           const double inverse = 1. / extent[d];
@@ -96,8 +99,8 @@ namespace seiche
     /// result [dim][dim][n_lanes]: d field_c / d x_d, plus the identity if
     /// asked for.
     void
-    field_gradient(const CellField<dim> &field,
-                   const bool            add_identity,
+    field_gradient(const CellField<dim, degree> &field,
+                   const bool                    add_identity,
                    double (&result)[dim][dim][n_lanes]) const
     {
       for (unsigned int c = 0; c < dim; ++c)

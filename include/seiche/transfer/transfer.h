@@ -2,6 +2,7 @@
 #ifndef seiche_transfer_transfer_h
 #define seiche_transfer_transfer_h
 
+#include <seiche/grid/fill.h>
 #include <seiche/grid/grid_state.h>
 #include <seiche/points/point_cloud.h>
 
@@ -18,13 +19,32 @@ namespace seiche
    */
   struct TransferParameters
   {
-    std::string method        = "affine FLIP";
-    double      flip_fraction = 0.95; // of "PIC/FLIP blend"
+    std::string  method        = "affine FLIP";
+    double       flip_fraction = 0.95; // of "PIC/FLIP blend"
+    unsigned int order         = 4;    // of XPIC and FMPM
+    std::string  mass          = "automatic";
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+    /// @p degree of the elements; @p points_per_direction at the start.
     void
-    check(const InputFile &input) const;
+    check(const InputFile   &input,
+          const unsigned int degree,
+          const unsigned int points_per_direction) const;
+
+    bool
+    is_consistent(const unsigned int degree) const
+    {
+      return mass == "consistent" || (mass == "automatic" && degree > 1);
+    }
+  };
+
+  /// What a point passes on beside its velocity.
+  enum class GradientUse
+  {
+    none,
+    carried, ///< the velocity gradient C that it carries
+    fitted   ///< least squares over the points of its cell
   };
 
   /// How velocities return to the points.
@@ -33,14 +53,17 @@ namespace seiche
     pic,               ///< v = N v_np1
     flip_increment,    ///< v += N (v_np1 - v_n)
     flip_acceleration, ///< v += dt ((1-gamma) a_p + gamma N a_np1), gamma 1/2
-    blend              ///< flip_fraction flip_increment + rest pic
+    blend,             ///< flip_fraction flip_increment + rest pic
+    xpic,              ///< v = N (v_np1 - v_n + M^-1 p by a series)
+    fmpm               ///< v = N v_np1, and v_n by the series too
   };
 
   /// One row of the table of transfers.
   struct TransferMethod
   {
     const char    *name;
-    bool           affine; ///< points to grid uses the velocity gradient
+    GradientUse    gradient; ///< in points to grid
+    bool           at_start; ///< C in the configuration at t_n, not t_n+1
     VelocityUpdate update;
     const char    *description;
   };
@@ -63,23 +86,24 @@ namespace seiche
   };
 
   /**
-   * @brief Points to grid and back (Q1 and higher; sums in (cell, id) order).
+   * @brief Points to grid and back; sums in (cell, id) order.
    */
   template <int dim>
   class Transfer
   {
   public:
-    /// @p grid_occupancy must outlive the object.
+    /// @p grid_fill must outlive the object; @p density [kg/m^3].
     Transfer(const TransferParameters &transfer_parameters,
-             const Occupancy<dim>     &grid_occupancy);
+             const Fill<dim>          &grid_fill,
+             const double              density);
 
     /// Columns that the method needs beyond the always present ones.
     static std::set<PointColumn>
     columns(const TransferParameters &parameters);
 
     /// Fills mass, velocity_n (fixed components zero), acceleration_n (if
-    /// present), pressure_guess of the state; lumped mass. Nodes without mass
-    /// get zero. velocity_start is set to velocity_n. Collective.
+    /// present), pressure_guess of the state. Nodes without mass get zero.
+    /// velocity_start is set to velocity_n. Collective.
     void
     points_to_grid(const PointCloud<dim> &points, GridState<dim> &state) const;
 
@@ -94,9 +118,24 @@ namespace seiche
     grid_to_points(const GridState<dim> &state, PointCloud<dim> &points) const;
 
   private:
+    /// Nodal velocities that need more than a lumped mass. Collective.
+    void
+    improve_velocity(const PointCloud<dim> &points,
+                     GridState<dim>        &state) const;
+
+    template <int degree>
+    StepCheck
+    check_step(const GridState<dim>  &state,
+               const PointCloud<dim> &points) const;
+    template <int degree>
+    void
+    move_points(const GridState<dim> &state, PointCloud<dim> &points) const;
+
     const TransferParameters parameters;
     const TransferMethod    &method;
+    const Fill<dim>         &fill;
     const Occupancy<dim>    &occupancy;
+    const double             density;
   };
 } // namespace seiche
 

@@ -4,36 +4,73 @@
 
 #include <deal.II/base/point.h>
 
+#include <type_traits>
+
 namespace seiche
 {
-  /**
-   * @brief The multilinear shape functions of FE_Q(1) in closed form.
-   *
-   * Node i of the unit cell sits at the corner whose coordinate d is bit d of
-   * i: lexicographic, which for degree one is also deal.II's order. All loops
-   * have fixed bounds, so that a caller's loop over points vectorises.
-   */
-  template <int dim>
-  struct LinearShape
-  {
-    static constexpr unsigned int n_nodes = 1u << dim;
+  /// Element degrees that the code is built for: 1 to this.
+  inline constexpr unsigned int max_degree = 2;
 
-    /// Coordinate d (0 or 1) of node i in the unit cell.
+  /// f(std::integral_constant<int, degree>): from a number in a parameter file
+  /// to a constant of the compiler.
+  template <typename Function>
+  auto
+  with_degree(const unsigned int degree, const Function &f)
+  {
+    Assert(degree == 1 || degree == 2, dealii::ExcInternalError());
+    return degree == 1 ? f(std::integral_constant<int, 1>()) :
+                         f(std::integral_constant<int, 2>());
+  }
+
+  /**
+   * @brief The shape functions of FE_Q(degree) on a box, in closed form.
+   *
+   * Nodes are numbered lexicographically, x fastest; node i sits at
+   * place(i, d)/degree in the unit cell. All loops have fixed bounds, so that
+   * a caller's loop over points vectorises.
+   */
+  template <int dim, int degree>
+  struct TensorShape
+  {
+    static_assert(degree == 1 || degree == 2, "FE_Q(1) and FE_Q(2)");
+
+    static constexpr unsigned int n_line = degree + 1;
+    static constexpr unsigned int n_nodes =
+      dim == 2 ? n_line * n_line : n_line * n_line * n_line;
+
+    /// Index 0 ... degree of node i in direction d.
     static constexpr unsigned int
-    corner(const unsigned int i, const unsigned int d)
+    place(const unsigned int i, const unsigned int d)
     {
-      return (i >> d) & 1u;
+      return degree == 1 ? (i >> d) & 1u :
+                           (d == 0 ? i :
+                            d == 1 ? i / 3 :
+                                     i / 9) %
+                             3;
+    }
+
+    /// Node at the vertex v (deal.II's numbering: bit d is coordinate d).
+    static constexpr unsigned int
+    vertex(const unsigned int v)
+    {
+      unsigned int node = 0, stride = 1;
+      for (unsigned int d = 0; d < dim; ++d, stride *= n_line)
+        node += ((v >> d) & 1u) * degree * stride;
+      return node;
     }
 
     /// Values N [n_nodes] at @p unit in the unit cell.
     static void
     values(const dealii::Point<dim> &unit, double N[])
     {
+      double line[dim][n_line];
+      for (unsigned int d = 0; d < dim; ++d)
+        line_values(unit[d], line[d]);
       for (unsigned int i = 0; i < n_nodes; ++i)
         {
-          N[i] = 1.;
-          for (unsigned int d = 0; d < dim; ++d)
-            N[i] *= corner(i, d) ? unit[d] : 1. - unit[d];
+          N[i] = line[0][place(i, 0)];
+          for (unsigned int d = 1; d < dim; ++d)
+            N[i] *= line[d][place(i, d)];
         }
     }
 
@@ -43,45 +80,160 @@ namespace seiche
     static void
     evaluate(const dealii::Point<dim> &unit, double N[], double dN[][dim])
     {
-      values(unit, N);
+      double line[dim][n_line], slope[dim][n_line];
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          line_values(unit[d], line[d]);
+          line_slopes(unit[d], slope[d]);
+        }
       for (unsigned int i = 0; i < n_nodes; ++i)
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            dN[i][d] = corner(i, d) ? 1. : -1.;
-            for (unsigned int e = 0; e < dim; ++e)
-              if (e != d)
-                dN[i][d] *= corner(i, e) ? unit[e] : 1. - unit[e];
-          }
+        {
+          N[i] = 1.;
+          for (unsigned int d = 0; d < dim; ++d)
+            N[i] *= line[d][place(i, d)];
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              dN[i][d] = slope[d][place(i, d)];
+              for (unsigned int e = 0; e < dim; ++e)
+                if (e != d)
+                  dN[i][d] *= line[e][place(i, e)];
+            }
+        }
     }
 
-    /// The same for @p n_lanes points at once: unit [dim][n_lanes] ->
-    /// N [n_nodes][n_lanes], dN [n_nodes][dim][n_lanes].
+    /// Second derivative of shape function i in directions d and e of the
+    /// unit cell.
+    static double
+    second_derivative(const dealii::Point<dim> &unit,
+                      const unsigned int        i,
+                      const unsigned int        d,
+                      const unsigned int        e)
+    {
+      double result = 1.;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          double line[n_line];
+          if (c == d && c == e)
+            line_curvatures(line);
+          else if (c == d || c == e)
+            line_slopes(unit[c], line);
+          else
+            line_values(unit[c], line);
+          result *= line[place(i, c)];
+        }
+      return result;
+    }
+
+    /// Piecewise multilinear functions of the same nodes [n_nodes]: positive
+    /// weights that sum to one, for lumped masses.
+    static void
+    hats(const dealii::Point<dim> &unit, double N[])
+    {
+      if constexpr (degree == 1)
+        return values(unit, N);
+      double line[dim][n_line];
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int k = 0; k < n_line; ++k)
+          line[d][k] = std::max(0., 1. - std::abs(degree * unit[d] - k));
+      for (unsigned int i = 0; i < n_nodes; ++i)
+        {
+          N[i] = line[0][place(i, 0)];
+          for (unsigned int d = 1; d < dim; ++d)
+            N[i] *= line[d][place(i, d)];
+        }
+    }
+
+    /// values and derivatives for @p n_lanes points at once: unit
+    /// [dim][n_lanes] -> N [n_nodes][n_lanes], dN [n_nodes][dim][n_lanes].
     template <unsigned int n_lanes>
     static void
     evaluate_lanes(const double unit[][n_lanes],
                    double       N[][n_lanes],
                    double       dN[][dim][n_lanes])
     {
+      double line[dim][n_line][n_lanes], slope[dim][n_line][n_lanes];
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int l = 0; l < n_lanes; ++l)
+          {
+            const double x = unit[d][l];
+            if constexpr (degree == 1)
+              {
+                line[d][0][l]  = 1. - x;
+                line[d][1][l]  = x;
+                slope[d][0][l] = -1.;
+                slope[d][1][l] = 1.;
+              }
+            else
+              {
+                line[d][0][l]  = (1. - x) * (1. - 2. * x);
+                line[d][1][l]  = 4. * x * (1. - x);
+                line[d][2][l]  = x * (2. * x - 1.);
+                slope[d][0][l] = 4. * x - 3.;
+                slope[d][1][l] = 4. - 8. * x;
+                slope[d][2][l] = 4. * x - 1.;
+              }
+          }
       for (unsigned int i = 0; i < n_nodes; ++i)
         for (unsigned int l = 0; l < n_lanes; ++l)
           {
-            double factor[dim];
-            double value = 1.;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                factor[d] = corner(i, d) ? unit[d][l] : 1. - unit[d][l];
-                value *= factor[d];
-              }
+            double value = line[0][place(i, 0)][l];
+            for (unsigned int d = 1; d < dim; ++d)
+              value *= line[d][place(i, d)][l];
             N[i][l] = value;
             for (unsigned int d = 0; d < dim; ++d)
               {
-                double slope = corner(i, d) ? 1. : -1.;
+                double derivative = slope[d][place(i, d)][l];
                 for (unsigned int e = 0; e < dim; ++e)
                   if (e != d)
-                    slope *= factor[e];
-                dN[i][d][l] = slope;
+                    derivative *= line[e][place(i, e)][l];
+                dN[i][d][l] = derivative;
               }
           }
+    }
+
+    // the functions of one direction
+    static void
+    line_values(const double x, double (&N)[n_line])
+    {
+      if constexpr (degree == 1)
+        {
+          N[0] = 1. - x;
+          N[1] = x;
+        }
+      else
+        {
+          N[0] = (1. - x) * (1. - 2. * x);
+          N[1] = 4. * x * (1. - x);
+          N[2] = x * (2. * x - 1.);
+        }
+    }
+
+    static void
+    line_slopes(const double x, double (&dN)[n_line])
+    {
+      if constexpr (degree == 1)
+        {
+          dN[0] = -1.;
+          dN[1] = 1.;
+        }
+      else
+        {
+          dN[0] = 4. * x - 3.;
+          dN[1] = 4. - 8. * x;
+          dN[2] = 4. * x - 1.;
+        }
+    }
+
+    static void
+    line_curvatures(double (&ddN)[n_line])
+    {
+      if constexpr (degree == 1)
+        ddN[0] = ddN[1] = 0.;
+      else
+        {
+          ddN[0] = ddN[2] = 4.;
+          ddN[1]          = -8.;
+        }
     }
   };
 } // namespace seiche

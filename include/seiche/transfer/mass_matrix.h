@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_transfer_mass_matrix_h
+#define seiche_transfer_mass_matrix_h
+
+#include <seiche/grid/fill.h>
+#include <seiche/grid/grid_state.h>
+
+namespace seiche
+{
+  /**
+   * @brief The mass matrix of the points, M_ab = sum_p m_p N_a(x_p) N_b(x_p).
+   *
+   * Nodal velocities v with M v = sum_p m_p N v_p are the field closest to the
+   * points' velocities: exact where these belong to the space of the elements,
+   * which a lumped mass is not. Components that walls fix stay zero. The ghost
+   * penalty on velocities couples nodes of little mass near the surface to
+   * their neighbours.
+   */
+  template <int dim>
+  class MassMatrix
+  {
+  public:
+    using Vector = typename GridState<dim>::Vector;
+
+    /// Of the points where they are. @p density [kg/m^3] scales the ghost
+    /// penalty (@p ghost_penalty: with it or without). Local.
+    MassMatrix(const PointCloud<dim> &points,
+               const Fill<dim>       &fill,
+               const double           density,
+               const bool             ghost_penalty);
+
+    /// sum_p m_p N v_p of a vector column of the points [dim] -> dst, without
+    /// fixed components. Collective.
+    void
+    right_hand_side(const PointColumn column, Vector &dst) const;
+
+    /// dst = M src; rows without mass are identity. Collective.
+    void
+    vmult(Vector &dst, const Vector &src) const;
+
+    /// The solution of M v = b by conjugate gradients from the value of v;
+    /// throws NumericalError. Collective.
+    void
+    solve(Vector &v, const Vector &b) const;
+
+    /// v <- v + M_L^-1 (b - M v), @p n_times: the series of Hammerquist and
+    /// Nairn (2017) and Nairn (2021) for M^-1. @p lumped: nodal masses.
+    /// Collective.
+    void
+    expand(Vector            &v,
+           const Vector      &b,
+           const Vector      &lumped,
+           const unsigned int n_times) const;
+
+  private:
+    /// A dense symmetric matrix on some local nodes.
+    struct Block
+    {
+      std::vector<unsigned int> nodes;
+      std::vector<double>       values; // [a * nodes.size() + b]
+    };
+
+    template <int degree>
+    void
+    collect_cells();
+    template <int degree>
+    void
+    collect_faces(const double density);
+    template <int degree>
+    void
+    sum_points(const PointColumn column, Vector &dst) const;
+
+    /// Zero components that walls fix and rows without mass.
+    void
+    remove_fixed(Vector &v) const;
+
+    const PointCloud<dim> &points;
+    const Fill<dim>       &fill;
+    const Occupancy<dim>  &occupancy;
+    std::vector<Block>     blocks;
+    Vector                 inverse_diagonal; // zero where there is no mass
+  };
+} // namespace seiche
+
+#endif

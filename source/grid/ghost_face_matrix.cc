@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/ghost_face_matrix.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim, int degree>
+  void
+  GhostFaceMatrix<dim, degree>::evaluate(const GhostFace      &face,
+                                         const Occupancy<dim> &occupancy)
+  {
+    const auto &locator = occupancy.locator;
+    h                   = 0.5 * (locator.extent(face.lower)[face.direction] +
+               locator.extent(face.upper)[face.direction]);
+    if (degree == 1 && locator.level(face.lower) == locator.level(face.upper) &&
+        !occupancy.hanging().has_matrix(face.lower) &&
+        !occupancy.hanging().has_matrix(face.upper))
+      evaluate_conforming(face, occupancy);
+    else
+      integrate(face, occupancy);
+  }
+
+  template <int dim, int degree>
+  void
+  GhostFaceMatrix<dim, degree>::evaluate_conforming(
+    const GhostFace      &face,
+    const Occupancy<dim> &occupancy)
+  {
+    const auto        &locator = occupancy.locator;
+    const unsigned int n       = face.direction;
+    const double       h_lower = locator.extent(face.lower)[n];
+    const double       h_upper = locator.extent(face.upper)[n];
+    // jump of the normal derivative in terms of the three nodes on a line
+    const double jump[3] = {1. / h_lower,
+                            -1. / h_lower - 1. / h_upper,
+                            1. / h_upper};
+
+    // node (s, t): position s = 0, 1, 2 along the normal, t within the face
+    constexpr unsigned int n_face = 1u << (dim - 1);
+    n_nodes                       = 3 * n_face;
+    const auto corner             = [&](const unsigned int t,
+                            const unsigned int upper_side) {
+      unsigned int index = upper_side << n, bit = 0;
+      for (unsigned int d = 0; d < dim; ++d)
+        if (d != n)
+          index |= ((t >> bit++) & 1u) << d;
+      return index;
+    };
+    const unsigned int *lower = occupancy.cell_nodes(face.lower);
+    const unsigned int *upper = occupancy.cell_nodes(face.upper);
+    for (unsigned int t = 0; t < n_face; ++t)
+      {
+        nodes[t]              = lower[corner(t, 0)];
+        nodes[n_face + t]     = lower[corner(t, 1)];
+        nodes[2 * n_face + t] = upper[corner(t, 1)];
+      }
+
+    for (unsigned int t = 0; t < n_face; ++t)
+      for (unsigned int r = 0; r < n_face; ++r)
+        {
+          double       mass = 1.; // of the face's multilinear functions
+          unsigned int bit  = 0;
+          for (unsigned int d = 0; d < dim; ++d)
+            if (d != n)
+              {
+                const bool same = ((t >> bit) & 1u) == ((r >> bit) & 1u);
+                mass *= locator.extent(face.lower)[d] / (same ? 3. : 6.);
+                ++bit;
+              }
+          for (unsigned int s = 0; s < 3; ++s)
+            for (unsigned int q = 0; q < 3; ++q)
+              B[s * n_face + t][q * n_face + r] = jump[s] * jump[q] * mass;
+        }
+  }
+
+  template <int dim, int degree>
+  void
+  GhostFaceMatrix<dim, degree>::normal_derivatives(
+    const Occupancy<dim> &occupancy,
+    const unsigned int    cell,
+    const unsigned int    direction,
+    const Point<dim>     &x,
+    const double          sign,
+    double               *first,
+    double               *second)
+  {
+    constexpr unsigned int n      = Shape::n_nodes;
+    const double           length = occupancy.locator.extent(cell)[direction];
+    const Point<dim>       unit   = occupancy.locator.to_unit(cell, x);
+    double                 N[n], slope[n][dim];
+    Shape::evaluate(unit, N, slope);
+    for (unsigned int a = 0; a < n; ++a)
+      first[a] = sign * slope[a][direction] / length;
+    occupancy.condense(cell, first);
+    if constexpr (degree > 1)
+      {
+        for (unsigned int a = 0; a < n; ++a)
+          second[a] = sign *
+                      Shape::second_derivative(unit, a, direction, direction) /
+                      (length * length);
+        occupancy.condense(cell, second);
+      }
+  }
+
+  template <int dim, int degree>
+  void
+  GhostFaceMatrix<dim, degree>::integrate(const GhostFace      &face,
+                                          const Occupancy<dim> &occupancy)
+  {
+    const auto            &locator = occupancy.locator;
+    constexpr unsigned int n       = Shape::n_nodes;
+    // the face of the smaller cell
+    const bool lower_is_small =
+      locator.level(face.lower) >= locator.level(face.upper);
+    const unsigned int small = lower_is_small ? face.lower : face.upper;
+    const Point<dim>   begin = locator.lower_corner(small);
+    const auto        &size  = locator.extent(small);
+
+    n_nodes = 2 * n;
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        nodes[a]     = occupancy.cell_nodes(face.lower)[a];
+        nodes[n + a] = occupancy.cell_nodes(face.upper)[a];
+      }
+    for (auto &row : B)
+      std::fill(std::begin(row), std::end(row), 0.);
+    static const QGauss<dim - 1> quadrature(degree + 1);
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        Point<dim>   x      = begin;
+        double       weight = quadrature.weight(q);
+        unsigned int bit    = 0;
+        for (unsigned int d = 0; d < dim; ++d)
+          if (d == face.direction)
+            x[d] += lower_is_small ? size[d] : 0.;
+          else
+            {
+              x[d] += quadrature.point(q)[bit++] * size[d];
+              weight *= size[d];
+            }
+        double first[max_nodes], second[max_nodes] = {};
+        normal_derivatives(
+          occupancy, face.lower, face.direction, x, -1., first, second);
+        normal_derivatives(
+          occupancy, face.upper, face.direction, x, 1., first + n, second + n);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          for (unsigned int b = 0; b < n_nodes; ++b)
+            B[a][b] += weight * (first[a] * first[b] +
+                                 0.25 * h * h * second[a] * second[b]);
+      }
+  }
+
+  template struct GhostFaceMatrix<2, 1>;
+  template struct GhostFaceMatrix<2, 2>;
+  template struct GhostFaceMatrix<3, 1>;
+  template struct GhostFaceMatrix<3, 2>;
+} // namespace seiche
