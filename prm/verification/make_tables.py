@@ -76,17 +76,20 @@ def wave_points(t, eta, below):
     return [t, -below + decay * eta + second, -below - decay * eta + second]
 
 
-def sway(t, x, length, depth, amplitude, omega):
-    """Linear elevation at x (from the left wall) in a tank at rest that moves as
-    amplitude cos(omega t) from t = 0 on."""
-    eta = np.zeros_like(t)
+def sway(t, length, depth, amplitude, omega):
+    """Linear elevation at the left wall of a tank at rest that moves as amplitude
+    cos(omega t) from t = 0 on, and the momentum along x over the density (by the
+    motion of the centre of mass, rate of the integral of x eta)."""
+    eta, momentum = np.zeros_like(t), np.zeros_like(t)
     for n in range(1, 120, 2):
         k = n * np.pi / length
         s2 = GRAVITY * k * np.tanh(k * depth)
+        s = np.sqrt(s2)
         load = -4 / (n * np.pi) * np.tanh(k * depth) * amplitude * omega**2
-        eta += (load / (s2 - omega**2) * np.cos(k * x)
-                * (np.cos(omega * t) - np.cos(np.sqrt(s2) * t)))
-    return eta
+        load /= s2 - omega**2
+        eta += load * (np.cos(omega * t) - np.cos(s * t))
+        momentum += -2 / k**2 * load * (s * np.sin(s * t) - omega * np.sin(omega * t))
+    return eta, momentum
 
 
 def channel(t, y, force, width, nu):
@@ -123,13 +126,14 @@ def tables():
     yield "compressible_column", "t [s],top [m],p base [Pa]", [t, 1 + top, 1000 * base]
     t = np.linspace(0, 3, 301)
     eta = viscous_wave(np.maximum(t, 1e-12), 0.0, WAVE_RATE, WAVE_K, WAVE_NU)
-    yield "standing_wave", "t [s],crest [m],trough [m]", wave_points(t, eta, 1 / 64 / 6)
+    yield "standing_wave", "t [s],crest [m],trough [m]", wave_points(t, eta, 1 / 64 / 12)
     depth = np.tanh(WAVE_K * 0.5)  # corrects the frequency to first order
     eta = viscous_wave(np.maximum(t, 1e-12), 0.0, WAVE_RATE, WAVE_K, WAVE_NU, depth)
-    yield "standing_wave_3d", "t [s],crest [m],trough [m]", wave_points(t, eta, 1 / 24 / 6)
+    yield "standing_wave_3d", "t [s],crest [m],trough [m]", wave_points(t, eta, 1 / 24 / 12)
     t = np.linspace(0, 6, 601)
-    eta = sway(t, 0.0, 1.73, 0.6, 0.002, 2 * np.pi / 1.8)
-    yield "sway_sloshing", "t [s],depth at the left wall [m]", [t, 0.6 + eta]
+    eta, momentum = sway(t, 1.73, 0.6, 0.002, 2 * np.pi / 1.8)
+    yield ("sway_sloshing", "t [s],depth at the left wall [m],momentum [kg m/s]",
+           [t, 0.6 + eta, 1000 * momentum])
     t = np.linspace(0, 0.5, 101)
     yield ("poiseuille_startup", "t [s],speed y = 0.5 [m/s],speed y = 0.25 [m/s]",
            [t, channel(t, 0.5, 8.0, 1.0, 1.0), channel(t, 0.25, 8.0, 1.0, 1.0)])

@@ -46,7 +46,7 @@ def flow_2d():
     """Stream function that vanishes on the walls together with its second
     derivatives: no normal velocity, no shear stress."""
     psi = (sp.sin(pi * x) * sp.sin(pi * y) + sp.sin(2 * pi * x) * sp.sin(pi * y) / 2)
-    psi *= (1 + sp.sin(2 * t) / 2) / pi
+    psi *= (1 + sp.sin(2 * t) / 2) / (2 * pi)
     v = [sp.diff(psi, y), -sp.diff(psi, x)]
     p = sp.cos(pi * x) * sp.cos(2 * pi * y) * sp.cos(t)
     factor = [sp.factor_terms(sp.trigsimp(b)) for b in force(v, p, 1, sp.Rational(1, 100))]
