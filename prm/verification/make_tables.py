@@ -126,10 +126,10 @@ def tables():
     yield "compressible_column", "t [s],top [m],p base [Pa]", [t, 1 + top, 1000 * base]
     t = np.linspace(0, 3, 301)
     eta = viscous_wave(np.maximum(t, 1e-12), 0.0, WAVE_RATE, WAVE_K, WAVE_NU)
-    yield "standing_wave", "t [s],crest [m],trough [m]", wave_points(t, eta, 1 / 64 / 12)
+    yield "standing_wave", "t [s],crest [m],trough [m]", wave_points(t, eta, 1 / 64 / 16)
     depth = np.tanh(WAVE_K * 0.5)  # corrects the frequency to first order
     eta = viscous_wave(np.maximum(t, 1e-12), 0.0, WAVE_RATE, WAVE_K, WAVE_NU, depth)
-    yield "standing_wave_3d", "t [s],crest [m],trough [m]", wave_points(t, eta, 1 / 24 / 12)
+    yield "standing_wave_3d", "t [s],crest [m],trough [m]", wave_points(t, eta, 1 / 24 / 16)
     t = np.linspace(0, 6, 601)
     eta, momentum = sway(t, 1.73, 0.6, 0.002, 2 * np.pi / 1.8)
     yield ("sway_sloshing", "t [s],depth at the left wall [m],momentum [kg m/s]",
