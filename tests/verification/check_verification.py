@@ -150,7 +150,7 @@ SCENES = {
     "stress_very_viscous": (
         "stress/very_viscous",
         [],
-        {"p_base_noise": 0.056, "ledger energy_max_relative_gain": 0.0003}),
+        {"p_base": 0.056, "ledger energy_max_relative_gain": 0.0003}),
     "stress_one_point": (
         "stress/one_point",
         ["Points/Per cell and direction = 4",
