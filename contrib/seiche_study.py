@@ -145,11 +145,15 @@ class Variant:
         self.entries = {name: text_of(v) for name, v in settings.items() if "/" in name}
         content = json.dumps([text, self.entries], sort_keys=True)
         label = "_".join(
-            slug(name.split("/")[-1]) + "-" + slug(text_of(settings[name]))
+            slug(name.split("/")[-1]) + "-" + slug(short(settings[name]))
             for name in label_names if name in settings
         )
         self.name = (label[:90].strip("-_") + "-" if label else "") + hashlib.sha256(
             content.encode()).hexdigest()[:8]
+
+
+def short(value):
+    return f"{value:.3g}" if isinstance(value, float) else text_of(value)
 
 
 def slug(text):

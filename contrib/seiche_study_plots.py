@@ -62,7 +62,9 @@ def panels(rows, plot):
     """[(title, rows)] by the value of "panel"."""
     groups = {}
     for row in rows:
-        groups.setdefault(label_of(row, as_list(plot.get("panel", []))), []).append(row)
+        names = as_list(plot.get("panel", []))
+        title = ", ".join(f"{name} = {text_of(row.get(name, ''))}" for name in names)
+        groups.setdefault(title, []).append(row)
     return list(groups.items())
 
 
@@ -109,7 +111,7 @@ def draw_work(rows, plot):
                 axes.loglog(*zip(*points), MARKERS[i % len(MARKERS)] + "-", lw=1, ms=5, label=label)
         axes.set_xlabel("processor time [s]" if x == "cpu_seconds" else x)
         axes.set_ylabel(quantity)
-        axes.set_title(title if title != "all" else "", fontsize=10)
+        axes.set_title(title, fontsize=10)
         add_failures(axes, failed)
         axes.grid(alpha=0.3, which="both")
         axes.legend(fontsize=7)
@@ -134,7 +136,7 @@ def draw_convergence(rows, plot, table):
                           " ".join(f"{value:.3f}" for value in between)])
         axes.set_xlabel(x)
         axes.set_ylabel(quantity)
-        axes.set_title(title if title != "all" else "", fontsize=10)
+        axes.set_title(title, fontsize=10)
         add_failures(axes, failed)
         axes.grid(alpha=0.3, which="both")
         axes.legend(fontsize=7, title="fitted order in brackets", title_fontsize=7)
@@ -190,14 +192,14 @@ def draw_map(rows, plot):
         axes.set_xlabel(names[0])
         axes.set_ylabel(names[1])
         n_failed = sum(1 for row in part if row["cause"])
-        title = "" if title == "all" else title + ": "
-        axes.set_title(f"{title}{n_failed} of {len(part)} failed", fontsize=10)
+        axes.set_title(f"{title + ': ' if title else ''}{n_failed} of {len(part)} failed", fontsize=10)
     counts = {cause: sum(row["cause"] == cause for row in rows) for cause in causes}
     handles = [plt.Line2D([], [], marker="o", ls="", color=PASSED, label="passed (%d)" % sum(
         not row["cause"] for row in rows))]
     handles += [plt.Line2D([], [], marker="X", ls="", color=colours[c], label=f"{c} ({counts[c]})")
                 for c in causes]
-    figure.legend(handles=handles, loc="outside lower center", ncols=4, fontsize=8)
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0),
+                  ncols=4, fontsize=8)
     return figure
 
 
@@ -231,7 +233,7 @@ def draw(study, folder):
             figure = (draw_work if kind == "work" else draw_map)(part, plot)
         figure.suptitle(plot.get("title", study.title), fontsize=11)
         path = os.path.join(folder, slug(plot.get("file", f"{kind}_{i + 1}")) + ".png")
-        figure.savefig(path, dpi=100)
+        figure.savefig(path, dpi=100, bbox_inches="tight")
         plt.close(figure)
         print(path)
     if orders:
