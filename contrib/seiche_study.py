@@ -145,10 +145,10 @@ class Variant:
         self.entries = {name: text_of(v) for name, v in settings.items() if "/" in name}
         content = json.dumps([text, self.entries], sort_keys=True)
         label = "_".join(
-            slug(name.split("/")[-1]) + "-" + slug(short(settings[name]))
+            slug(name.split("/")[-1]) + "=" + slug(short(settings[name]))
             for name in label_names if name in settings
         )
-        self.name = (label[:90].strip("-_") + "-" if label else "") + hashlib.sha256(
+        self.name = (label[:90].strip("-_") + "_" if label else "") + hashlib.sha256(
             content.encode()).hexdigest()[:8]
 
 
@@ -157,7 +157,8 @@ def short(value):
 
 
 def slug(text):
-    return re.sub(r"[^A-Za-z0-9.+]+", "-", text).strip("-")
+    """Part of a name of a folder; the sign of a number is kept."""
+    return re.sub(r"[^A-Za-z0-9.+]+", "-", text).rstrip("-") or "-"
 
 
 class Study:
@@ -334,7 +335,7 @@ class Study:
         return row
 
     def write_table(self, rows, path):
-        header = ["variant", *self.settings, *OUTCOME, *self.columns]
+        header = ["folder", *self.settings, *OUTCOME, *self.columns]
         header = list(dict.fromkeys(header))
         with open(path + ".new", "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)

@@ -45,7 +45,7 @@ def wait_until_long_runs(process, folder):
     """Until the second variant has done some steps."""
     end = time.monotonic() + 30
     while time.monotonic() < end:
-        for path in pathlib.Path(folder, "runs").glob("variant-long*/run/statistics.csv"):
+        for path in pathlib.Path(folder, "runs").glob("variant=long*/run/statistics.csv"):
             if path.read_bytes().count(b"\n") > 10:
                 return
         assert process.poll() is None, process.communicate()[0]
@@ -54,7 +54,7 @@ def wait_until_long_runs(process, folder):
 
 
 def outcomes(folder):
-    return {path.parent.name.split("-")[1]: path.stat().st_mtime_ns
+    return {path.parent.name.split("=")[1].split("_")[0]: path.stat().st_mtime_ns
             for path in pathlib.Path(folder, "runs").glob("*/outcome.json")}
 
 
@@ -69,7 +69,7 @@ def resume(seiche, folder):
         process.communicate(timeout=30)
         assert process.returncode == code, process.returncode
         assert list(outcomes(folder)) == ["short"], outcomes(folder)
-        shutil.rmtree(next(pathlib.Path(folder, "runs").glob("variant-long*/run")))
+        shutil.rmtree(next(pathlib.Path(folder, "runs").glob("variant=long*/run")))
     first = outcomes(folder)["short"]
     text = run(seiche, folder, "--no-plots")
     assert "3 variants, 2 to be run" in text and "[2/2]" in text, text
@@ -77,7 +77,7 @@ def resume(seiche, folder):
     assert "3 variants, 0 to be run" in run(seiche, folder, "--no-plots")
 
     rows = read_table(folder)
-    assert [row["variant"].split("-")[1] for row in rows] == ["short", "long", "failing"]
+    assert [row["variant"] for row in rows] == ["short", "long", "failing"]
     header = list(rows[0])
     assert header.index("Time/Step") < header.index("exit_code") < header.index("front")
     short, long, failing = rows
