@@ -3,7 +3,7 @@
 
 Needs nothing but the standard library; the format is described in
 doc/studies.md. Used by contrib/study, which runs the variants, and by
-seiche_study_plots.py.
+seiche_study_plots.py. What a run left is read by seiche_study_results.py.
 """
 
 import ast
@@ -17,8 +17,11 @@ import random
 import re
 import tomllib
 
+from seiche_study_results import cause, collect, read_statistics, read_summary
+
 FUNCTIONS = {
-    name: getattr(math, name) for name in ("sqrt", "exp", "log", "log10", "floor", "ceil", "pi", "inf")
+    name: getattr(math, name)
+    for name in ("sqrt", "exp", "log", "log10", "floor", "ceil", "pi", "inf")
 }
 FUNCTIONS.update(min=min, max=max, abs=abs, round=round, int=int)
 NODES = (
@@ -39,18 +42,6 @@ ALWAYS = {  # columns of every study
     "end_time": "last(time [s])",
 }
 OUTCOME = ["exit_code", "cause", "message", "wall_seconds"]
-COLUMN = re.compile(r"^(first|last|min|max|mean)\((.+)\)$|^at\((.+),\s*([^,]+)\)$")
-# What the message of a numerical failure is about.
-CAUSES = (
-    ("Newton stopped", "Newton"),
-    ("linear solver", "linear solver"),
-    ("consistent start", "consistent start"),
-    ("all fluid has left", "all fluid left"),
-    ("is lost|vanished", "lost point"),
-    ("not finite", "not finite"),
-    ("volume changes by", "volume of a point collapses"),
-    ("moves by", "point moves too far"),
-)
 
 
 class StudyError(Exception):
@@ -197,7 +188,8 @@ class Study:
         for name in ("variants", "plot", "skip"):
             if not isinstance(self.data.get(name, []), list):
                 self.fail(f"{name!r} has to be a list")
-        if not isinstance(self.data.get("timeout", 1), (int, float)) or self.data.get("timeout", 1) <= 0:
+        timeout = self.data.get("timeout", 1)
+        if not isinstance(timeout, (int, float)) or timeout <= 0:
             self.fail("'timeout' has to be a positive number of seconds")
         for name, source in self.data.get("collect", {}).items():
             if not re.fullmatch(r"[A-Za-z_]\w*", name) or not isinstance(source, str):
@@ -211,7 +203,8 @@ class Study:
             where = f"plot {i + 1}"
             for key in plot:
                 if key not in PLOT_KEYS:
-                    self.fail(f"{where}: there is no key {key!r}; known: {', '.join(sorted(PLOT_KEYS))}")
+                    self.fail(f"{where}: there is no key {key!r}; known: "
+                              + ", ".join(sorted(PLOT_KEYS)))
             if plot.get("kind") not in PLOT_KINDS:
                 self.fail(f"{where}: 'kind' has to be one of {', '.join(PLOT_KINDS)}")
             for key in ("x", "y"):
@@ -345,86 +338,3 @@ class Study:
                     "" if row.get(key) is None else text_of(row[key])
                     if isinstance(row.get(key), float) else row.get(key) for key in header[1:]])
         os.replace(path + ".new", path)
-
-
-def cause(outcome):
-    """Why a run failed, in a word or two; empty if it finished."""
-    code, message = outcome["exit_code"], outcome.get("message", "")
-    if outcome.get("timeout"):
-        return "timeout"
-    if code < 0:
-        return f"killed by signal {-code}"
-    if code == 3:
-        head = message.split(", also at the smallest step")[0]
-        return next((name for pattern, name in CAUSES if re.search(pattern, head)), "numerical")
-    return {0: "", 1: "internal error", 2: "input", 4: "files", 5: "stopped"}.get(code, f"exit code {code}")
-
-
-def read_statistics(folder):
-    """{column: [float or None]}; a cut last line is left out."""
-    try:
-        with open(os.path.join(folder, "statistics.csv"), newline="", encoding="utf-8") as file:
-            rows = list(csv.reader(file))
-    except OSError:
-        return {}
-    names = [name.strip() for name in rows[0]] if rows else []
-    rows = [row for row in rows[1:] if len(row) == len(names)]
-    if not rows:
-        return {}
-
-    def number(text):
-        try:
-            return float(text)
-        except ValueError:
-            return None
-
-    return {name: [number(row[i]) for row in rows] for i, name in enumerate(names)}
-
-
-def read_summary(folder):
-    try:
-        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
-            return json.load(file)
-    except (OSError, ValueError):
-        return {}
-
-
-def collect(source, statistics, summary):
-    """Value of "errors/NAME" (summary.json) or "last(COLUMN)" and the like
-    (statistics.csv); None if it is missing."""
-    match = COLUMN.match(source)
-    if not match:
-        value = summary
-        for part in source.split("/"):
-            value = value.get(part) if isinstance(value, dict) else None
-        return value
-    kind, column = match.group(1) or "at", (match.group(2) or match.group(3)).strip()
-    times = statistics.get("time [s]", [])
-    pairs = [(t, v) for t, v in zip(times, statistics.get(column, [])) if v is not None]
-    if not pairs:
-        return None
-    values = [v for _, v in pairs]
-    if kind == "at":
-        time = float(match.group(4))
-        for (t0, v0), (t1, v1) in zip(pairs, pairs[1:]):
-            if t0 <= time <= t1:
-                return v0 + (v1 - v0) * ((time - t0) / (t1 - t0) if t1 > t0 else 0.0)
-        return None
-    return {"first": values[0], "last": values[-1], "min": min(values), "max": max(values),
-            "mean": sum(values) / len(values)}[kind]
-
-
-def fitted_order(sizes, errors):
-    """Slope of log(error) over log(size) by least squares, and the orders
-    between neighbours. Pairs without positive finite numbers do not count."""
-    pairs = sorted(
-        (math.log(h), math.log(e)) for h, e in zip(sizes, errors)
-        if all(isinstance(v, (int, float)) and 0 < v < math.inf for v in (h, e))
-    )[::-1]
-    if len({h for h, _ in pairs}) < 2:
-        return None, []
-    mean_h = sum(h for h, _ in pairs) / len(pairs)
-    mean_e = sum(e for _, e in pairs) / len(pairs)
-    slope = sum((h - mean_h) * (e - mean_e) for h, e in pairs) / sum((h - mean_h) ** 2 for h, _ in pairs)
-    between = [(e0 - e1) / (h0 - h1) for (h0, e0), (h1, e1) in zip(pairs, pairs[1:]) if h0 != h1]
-    return slope, between

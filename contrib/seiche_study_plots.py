@@ -26,7 +26,8 @@ except ImportError as error:
     sys.exit(0)
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from seiche_study import Study, StudyError, evaluate, fitted_order, slug, text_of
+from seiche_study import Study, StudyError, evaluate, slug, text_of
+from seiche_study_results import fitted_order
 
 MARKERS = "osD^vP*Xh<>"
 GRID_MAXIMUM = 12  # values of a setting that still make a grid
@@ -192,7 +193,8 @@ def draw_map(rows, plot):
         axes.set_xlabel(names[0])
         axes.set_ylabel(names[1])
         n_failed = sum(1 for row in part if row["cause"])
-        axes.set_title(f"{title + ': ' if title else ''}{n_failed} of {len(part)} failed", fontsize=10)
+        title = title + ": " if title else ""
+        axes.set_title(f"{title}{n_failed} of {len(part)} failed", fontsize=10)
     counts = {cause: sum(row["cause"] == cause for row in rows) for cause in causes}
     handles = [plt.Line2D([], [], marker="o", ls="", color=PASSED, label="passed (%d)" % sum(
         not row["cause"] for row in rows))]
@@ -237,7 +239,8 @@ def draw(study, folder):
         plt.close(figure)
         print(path)
     if orders:
-        header = ["plot", "panel", "line", "quantity", "points", "fitted order", "orders between neighbours"]
+        header = ["plot", "panel", "line", "quantity", "points", "fitted order",
+                  "orders between neighbours"]
         with open(os.path.join(folder, "orders.csv"), "w", newline="", encoding="utf-8") as file:
             csv.writer(file).writerows([header, *orders])
         for line in orders:

@@ -18,6 +18,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 CONTRIB = HERE.parents[1] / "contrib"
 sys.path.insert(0, str(CONTRIB))
 import seiche_study  # noqa: E402
+import seiche_study_results as results  # noqa: E402
 
 TINY = HERE / "tiny.toml"
 
@@ -161,7 +162,7 @@ k = [1, 2]
 
 
 def orders(_, __):
-    fitted = seiche_study.fitted_order
+    fitted = results.fitted_order
     h = [0.4, 0.2, 0.1]
     slope, between = fitted(h, [3 * v**2 for v in h])
     assert abs(slope - 2) < 1e-12 and len(between) == 2
@@ -173,7 +174,7 @@ def orders(_, __):
     assert fitted([0.1, 0.2], [0, 1]) == (None, [])
 
     statistics = {"time [s]": [0.0, 1.0, 3.0], "a [m]": [None, 4.0, 8.0]}
-    collect = seiche_study.collect
+    collect = results.collect
     assert collect("last(a [m])", statistics, {}) == 8
     assert collect("min(a [m])", statistics, {}) == 4
     assert collect("at(a [m], 2)", statistics, {}) == 6
