@@ -13,6 +13,7 @@ COLUMN = re.compile(r"^(first|last|min|max|mean)\((.+)\)$|^at\((.+),\s*([^,]+)\)
 CAUSES = (
     ("Newton stopped", "Newton"),
     ("linear solver", "linear solver"),
+    ("velocity projection", "velocity projection"),
     ("consistent start", "consistent start"),
     ("all fluid has left", "all fluid left"),
     ("is lost|vanished", "lost point"),
