@@ -66,6 +66,8 @@ def resume(seiche, folder):
     for sign, code in ((signal.SIGKILL, -signal.SIGKILL), (signal.SIGTERM, 5)):
         process = start(seiche, folder)
         wait_until_long_runs(process, folder)
+        if code == 5:
+            assert "another contrib/study" in run(seiche, folder, code=2)
         process.send_signal(sign)
         process.communicate(timeout=30)
         assert process.returncode == code, process.returncode
@@ -182,8 +184,56 @@ def orders(_, __):
     assert collect("errors/x", {}, {"errors": {"x": 0.5}}) == 0.5
 
 
+def plots(_, folder):
+    """The three kinds of pictures, from a table; failed runs among them."""
+    base = f'base = "{HERE.parents[1]}/prm/studies/column_2d.prm"\n'
+    file = pathlib.Path(folder, "a.toml")
+    file.write_text(base + """
+[vary]
+h = [0.4, 0.2, 0.1]
+method = ["a", "b"]
+[collect]
+error = "errors/x"
+[[plot]]
+kind = "convergence"
+x = "h"
+y = "error"
+line = "method"
+[[plot]]
+kind = "work"
+y = "error"
+line = "method"
+[[plot]]
+kind = "map"
+x = "h"
+y = "method"
+""")
+    study = seiche_study.Study(str(file))
+    rows = []
+    for variant in study.variants:
+        h, b = variant.settings["h"], variant.settings["method"] == "b"
+        failed = b and h == 0.1
+        rows.append((variant.name, {**variant.settings, "exit_code": 3 if failed else 0,
+                                    "cause": "Newton" if failed else "",
+                                    "error": None if failed else 5 * h ** (1 if b else 2),
+                                    "cpu_seconds": 1 / h}))
+    study.write_table(rows, f"{folder}/results.csv")
+    process = subprocess.run(
+        [sys.executable, str(CONTRIB / "seiche_study_plots.py"), str(file), folder],
+        capture_output=True, text=True, check=True)
+    if "no pictures" in process.stderr:
+        print("no matplotlib here:", process.stderr)
+        return
+    for name in ("convergence-1.png", "work-2.png", "map-3.png"):
+        assert os.path.getsize(f"{folder}/{name}") > 5000, name
+    with open(f"{folder}/orders.csv", newline="", encoding="utf-8") as table:
+        lines = list(csv.DictReader(table))
+    assert [(line["line"], line["points"], line["fitted order"]) for line in lines] == [
+        ("a", "3", "2.000"), ("b", "2", "1.000")], lines
+
+
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as scratch:
-        {case.__name__: case for case in (resume, mistakes, expansion, orders)}[
+        {case.__name__: case for case in (resume, mistakes, expansion, orders, plots)}[
             sys.argv[2]](sys.argv[1], scratch)
     print("passed")
