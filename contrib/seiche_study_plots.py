@@ -92,6 +92,14 @@ def curves(rows, plot, quantity, x):
     return {label: sorted(points) for label, points in lines.items()}, failed
 
 
+def styles(rows, plot):
+    """{label of a line: how it is drawn}, the same in all panels."""
+    labels = dict.fromkeys(label_of(row, as_list(plot.get("line", []))) for row in rows)
+    return {label: {"color": f"C{i % 10}", "marker": MARKERS[i % len(MARKERS)], "lw": 1, "ms": 5,
+                    "ls": "-" if i < 10 else "--"}
+            for i, label in enumerate(labels)}
+
+
 def add_failures(axes, failed):
     """Runs without a point are named, not left out silently."""
     if failed:
@@ -105,11 +113,12 @@ def draw_work(rows, plot):
     x, quantities = plot.get("x", "cpu_seconds"), as_list(plot["y"])
     all_panels = [(title, q, part) for title, part in panels(rows, plot) for q in quantities]
     figure, all_axes = new_figure(len(all_panels))
+    style = styles(rows, plot)
     for axes, (title, quantity, part) in zip(all_axes, all_panels):
         lines, failed = curves(part, plot, quantity, x)
-        for i, (label, points) in enumerate(lines.items()):
+        for label, points in lines.items():
             if points:
-                axes.loglog(*zip(*points), MARKERS[i % len(MARKERS)] + "-", lw=1, ms=5, label=label)
+                axes.loglog(*zip(*points), **style[label], label=label)
         axes.set_xlabel("processor time [s]" if x == "cpu_seconds" else x)
         axes.set_ylabel(quantity)
         axes.set_title(title, fontsize=10)
@@ -124,14 +133,15 @@ def draw_convergence(rows, plot, table):
     x = plot["x"]
     all_panels = [(t, q, part) for t, part in panels(rows, plot) for q in as_list(plot["y"])]
     figure, all_axes = new_figure(len(all_panels))
+    style = styles(rows, plot)
     for axes, (title, quantity, part) in zip(all_axes, all_panels):
         lines, failed = curves(part, plot, quantity, x)
-        for i, (label, points) in enumerate(lines.items()):
+        for label, points in lines.items():
             if not points:
                 continue
             order, between = fitted_order(*zip(*points))
             fit = "" if order is None else f" ({order:.2f})"
-            axes.loglog(*zip(*points), MARKERS[i % len(MARKERS)] + "-", lw=1, ms=5, label=label + fit)
+            axes.loglog(*zip(*points), **style[label], label=label + fit)
             table.append([plot.get("file", "convergence"), title, label, quantity, len(points),
                           "" if order is None else f"{order:.3f}",
                           " ".join(f"{value:.3f}" for value in between)])
