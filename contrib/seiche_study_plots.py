@@ -80,7 +80,8 @@ def new_figure(number, width=6.2, height=4.6):
 
 
 def curves(rows, plot, quantity, x):
-    """{label: [(x, y)]} of the finished runs, and the labels of failed ones."""
+    """{label: [(x, y)]} of the finished runs in the order of the table, and the
+    labels of failed ones."""
     lines, failed = {}, []
     for row in rows:
         label = label_of(row, as_list(plot.get("line", [])))
@@ -89,7 +90,7 @@ def curves(rows, plot, quantity, x):
             lines[label].append((row[x], row[quantity]))
         else:
             failed.append(label)
-    return {label: sorted(points) for label, points in lines.items()}, failed
+    return lines, failed
 
 
 def styles(rows, plot):
@@ -139,6 +140,7 @@ def draw_convergence(rows, plot, table):
         for label, points in lines.items():
             if not points:
                 continue
+            points.sort()
             order, between = fitted_order(*zip(*points))
             fit = "" if order is None else f" ({order:.2f})"
             axes.loglog(*zip(*points), **style[label], label=label + fit)
