@@ -51,7 +51,13 @@ namespace seiche
         const double pressure = point.value(cell.pressure);
         pressure_gradient     = point.gradient(cell.pressure, point.gradient_t);
         constraint            = J_1 - 1. + pressure / material.bulk_modulus;
-        fine_pressure         = -tau.continuity * constraint;
+        if (cell.coefficients.rate_constraint != 0.)
+          {
+            const Tensor<2, dim> l =
+              point.gradient(cell.rate_velocity, point.gradient_t);
+            constraint -= cell.coefficients.rate_constraint * trace(l * l);
+          }
+        fine_pressure = -tau.continuity * constraint;
         momentum_residual =
           rho_t * (cell.body_force_at(q) - acceleration) - pressure_gradient;
 

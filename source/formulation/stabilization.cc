@@ -39,6 +39,13 @@ namespace seiche
                       "Factor c_2 of tau2 = c_2 h^2/tau1; 0.1 keeps energy, 1 "
                       "suits disordered points over long times [-]",
                       Patterns::Double(0.));
+    prm.add_parameter(
+      "Tau continuity time",
+      continuity_time,
+      "Time T_c: tau2 of smaller steps is multiplied by dt/T_c, "
+      "or it would resist div v as a viscosity that grows as "
+      "1/dt; 0: none [s]",
+      Patterns::Double(0.));
     prm.leave_subsection();
   }
 
@@ -58,6 +65,7 @@ namespace seiche
   Tau
   StabilizationParameters::evaluate(const StepCoefficients &coefficients,
                                     const double            density,
+                                    const double            bulk_modulus,
                                     const double            viscosity,
                                     const double            h,
                                     const unsigned int      degree,
@@ -79,6 +87,9 @@ namespace seiche
       }
     result.momentum   = 1. / inverse;
     result.continuity = continuity_factor * h * h * inverse;
+    if (continuity_time > coefficients.dt)
+      result.continuity *= coefficients.dt / continuity_time;
+    result.continuity /= 1. + result.continuity / bulk_modulus;
     return result;
   }
 } // namespace seiche

@@ -134,6 +134,8 @@ namespace seiche
         c.theta   = theta;
         c.inertia = 1. / (theta * dt * dt);
         c.rate    = 1. / dt;
+
+        c.start_divergence = 0.5 - theta;
         return c;
       }
 

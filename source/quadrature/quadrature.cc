@@ -78,7 +78,9 @@ namespace seiche
             const double ratio   = incompressible ? 1. : mean_ratio(cell);
             for (unsigned int q = 0; q < gauss.size(); ++q)
               {
-                const double volume = weight * measure * gauss.weight(q);
+                // the cell is the volume at t_n: V0 = V_n/J_n
+                const double volume =
+                  weight * measure * gauss.weight(q) / ratio;
                 quadrature.push_back(gauss.point(q),
                                      density * volume,
                                      volume,

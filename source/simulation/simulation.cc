@@ -211,7 +211,8 @@ namespace seiche
         (scene.time.projects_each_step() || time_stepper.steps() == 0))
       {
         const TimerTree::Scope scope(timer, "velocity projection");
-        const LinearResult     result = velocity_projection.apply(state);
+        const LinearResult     result =
+          velocity_projection.apply(state, step_coefficients());
         last.krylov_iterations += result.iterations;
         if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
           return "the velocity projection did not converge";
@@ -226,11 +227,10 @@ namespace seiche
       const TimerTree::Scope scope(timer, "newton");
       time_scheme->predict(state);
       time_scheme->offsets(state, state.dt, inertia_offset, rate_offset);
-      StepCoefficients coefficients = time_scheme->coefficients(state.dt);
-      if (scene.volume_relaxation_time > 0.)
-        coefficients.volume_recovery =
-          std::min(1., state.dt / scene.volume_relaxation_time);
-      assembler.begin(coefficients, state.time, inertia_offset, rate_offset);
+      assembler.begin(step_coefficients(),
+                      state.time,
+                      inertia_offset,
+                      rate_offset);
       const NewtonResult result = newton.solve(state);
       last.iterations           = result.iterations;
       last.krylov_iterations += result.krylov_iterations;
@@ -244,6 +244,17 @@ namespace seiche
   }
 
   template <int dim>
+  StepCoefficients
+  Simulation<dim>::step_coefficients() const
+  {
+    StepCoefficients result = time_scheme->coefficients(state.dt);
+    if (scene.volume_relaxation_time > 0.)
+      result.volume_recovery =
+        std::min(1., state.dt / scene.volume_relaxation_time);
+    return result;
+  }
+
+  template <int dim>
   void
   Simulation<dim>::prepare_start()
   {
@@ -252,7 +263,8 @@ namespace seiche
     state.dt       = scene.time.step;
     bool converged = true;
     if (formulation->has_pressure())
-      converged = velocity_projection.apply(state).converged;
+      converged =
+        velocity_projection.apply(state, step_coefficients()).converged;
     converged =
       converged && velocity_projection.consistent_start(state).converged;
     if (!converged)

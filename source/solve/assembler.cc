@@ -38,10 +38,11 @@ namespace seiche
   Tau
   Assembler<dim>::reference_tau(const double size) const
   {
+    const MaterialConstants &material = formulation.material;
     return formulation.stabilization.evaluate(step,
-                                              formulation.material.density,
-                                              formulation.material.viscosity(
-                                                step),
+                                              material.density,
+                                              material.bulk_modulus,
+                                              material.viscosity(step),
                                               size,
                                               occupancy.fe.degree,
                                               /*speed=*/0.);

@@ -153,6 +153,8 @@ namespace seiche
                                        const double       tolerance)
   {
     scaled = right_hand_side;
+    if (closed) // the rows of the volume add up to zero, so must their right
+      scaled.block(1).add(-scaled.block(1).mean_value()); // hand side
     if (matrix->has_pressure())
       scaled.block(1) *= row_scale;
     const double target = tolerance * scaled.l2_norm();

@@ -50,22 +50,26 @@ namespace seiche
 
   template <int dim>
   LinearResult
-  VelocityProjection<dim>::apply(GridState<dim> &state)
+  VelocityProjection<dim>::apply(GridState<dim>         &state,
+                                 const StepCoefficients &step)
   {
     const double     dt = state.dt;
     StepCoefficients c;
-    c.dt              = dt;
-    c.theta           = 0.; // linear: no derivative of the configuration
-    c.inertia         = 1. / (dt * dt);
-    c.rate            = 1. / dt;
-    c.volume_recovery = 0.;
+    c.dt      = dt;
+    c.theta   = 0.; // linear: no derivative of the configuration
+    c.inertia = 1. / (dt * dt);
+    c.rate    = 0.;
+    // with a finite bulk modulus the volume ratio is pressure, not error
+    c.volume_recovery =
+      std::isinf(assembler.formulation.material.bulk_modulus) ?
+        step.volume_recovery :
+        0.;
+    c.rate_constraint = step.start_divergence * dt * dt;
     c.viscous = c.body_force = c.damping = false;
 
     Vector inertia_offset(state.velocity_n);
     inertia_offset *= -1. / dt;
     inertia_offset.update_ghost_values();
-    Vector rate_offset(state.velocity_n.get_partitioner());
-    rate_offset.update_ghost_values();
     // from dt v_n: what is left to solve for is its violation alone
     BlockVector guess(state.solution);
     guess          = 0.;
@@ -73,7 +77,7 @@ namespace seiche
     guess.block(0).zero_out_ghost_values();
     guess.block(0) *= dt;
     const LinearResult result =
-      solve(state, c, inertia_offset, rate_offset, guess, tolerance);
+      solve(state, c, inertia_offset, state.velocity_n, guess, tolerance);
     state.velocity_start.zero_out_ghost_values();
     state.velocity_start.equ(1. / dt, guess.block(0));
     state.velocity_start.update_ghost_values();

@@ -75,6 +75,7 @@ namespace seiche
     {
       return stabilization.evaluate(cell.coefficients,
                                     material.density,
+                                    material.bulk_modulus,
                                     material.viscosity(cell.coefficients),
                                     cell.size,
                                     degree,

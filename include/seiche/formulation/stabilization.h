@@ -32,6 +32,7 @@ namespace seiche
     double      inertia_factor    = 1.;   // c_d
     double      viscous_factor    = 4.;   // c_1
     double      continuity_factor = 0.1;  // c_2
+    double      continuity_time   = 0.;   // T_c [s], 0: none
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -63,13 +64,17 @@ namespace seiche
      * Codina 2009, in displacements). paper: 1/tau1 = c_1 2 mu/(h^2 dt) +
      * c_d rho |v|/(h dt) (founding paper, equation 25), |v| at least
      * speed_floor h/dt, because as printed tau1 is infinite where fluid rests.
-     * Both: tau2 = c_2 h^2/tau1. All zero without subscales.
+     * Both: tau2 = c_2 h^2/tau1 min(1, dt/T_c), which is as many times the
+     * viscosity c_2 h^2/(tau1 dt) on div v: without T_c it grows as 1/dt. For
+     * a finite bulk modulus kappa 1/tau2 is enlarged by 1/kappa: the terms
+     * 1 - tau2/kappa change sign otherwise. All zero without subscales.
      *
      * @p h cell size [m], @p speed at the cell's centre [m/s].
      */
     Tau
     evaluate(const StepCoefficients &coefficients,
              const double            density,
+             const double            bulk_modulus,
              const double            viscosity,
              const double            h,
              const unsigned int      degree,

@@ -31,8 +31,11 @@ namespace seiche
     bool   viscous         = true;
     bool   body_force      = true;
     bool   damping         = true; ///< ghost penalty on velocity jumps
-    /// [s^2] weight of -tr(l l) in the constraint: the second time derivative
-    /// of J = 1, for the consistent start only.
+    /// [-] div v_0 = this dt tr(l l) fits the scheme: v_0 and v_1 then have the
+    /// same divergence in their own configurations (doc/theory.md).
+    double start_divergence = 0.;
+    /// [s^2] weight of -tr(l l) in the constraint, l the gradient of the rate's
+    /// velocity: projection of v_0 and consistent start only.
     double rate_constraint = 0.;
   };
 

@@ -76,6 +76,10 @@ namespace seiche
     std::string
     try_step();
 
+    /// Of a step of size state.dt.
+    StepCoefficients
+    step_coefficients() const;
+
     /// Velocity (and acceleration, pressure) that fit the constraint.
     void
     prepare_start();

@@ -12,13 +12,14 @@ namespace seiche
    * incompressibility constraint.
    *
    * One linear solve of the step's own system with C_a = 1/dt^2, no body
-   * force, no viscosity, no volume recovery, at u = p = 0, the ghost penalty
-   * on accelerations: v_0 = u/dt (doc/theory.md, "Projection of the start
-   * velocity"). Forces stay in the configuration x_n (theta = 0): at u = 0 the
-   * subscale residual is rho v_0/dt, and its geometric derivative would add
-   * the convective acceleration to the constraint. Without it the midpoint
-   * scheme repeats every violation in v_0 with factor -rho_inf, which costs
-   * pressure noise 2 rho h dv/dt.
+   * force, no viscosity, at u = p = 0, the ghost penalty on accelerations: v_0
+   * = u/dt (doc/theory.md, "Projection of the start velocity"). The volume
+   * that the step recovers is in v_0 already, or the step would need an impulse
+   * of order 1/dt for it. Forces stay in the configuration x_n (theta = 0): at
+   * u = 0 the subscale residual is rho v_0/dt, and its geometric derivative
+   * would add the convective acceleration to the constraint. Without it the
+   * midpoint scheme repeats every violation in v_0 with factor -rho_inf, which
+   * costs pressure noise 2 rho h dv/dt.
    */
   template <int dim>
   class VelocityProjection
@@ -35,10 +36,11 @@ namespace seiche
     /// help, because the system does not depend on dt.
     static constexpr double usable_reduction = 0.1;
 
-    /// state.velocity_start from state.velocity_n; ghosts too. Leaves the
-    /// solution of the state untouched. Collective.
+    /// state.velocity_start from state.velocity_n for a step with these
+    /// coefficients; ghosts too. Leaves the solution of the state untouched.
+    /// Collective.
     LinearResult
-    apply(GridState<dim> &state);
+    apply(GridState<dim> &state, const StepCoefficients &step);
 
     /**
      * Consistent start of schemes that carry an acceleration: a_0 and p_0
