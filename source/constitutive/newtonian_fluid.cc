@@ -31,6 +31,13 @@ namespace seiche
                       "an incompressible fluid (mixed form only). [Pa]",
                       dealii::Patterns::Anything(),
                       /*has_to_be_set=*/true);
+    prm.add_parameter(
+      "Volume law",
+      volume_law,
+      "Pressure of a finite bulk modulus kappa. linear: "
+      "kappa (1 - J); logarithmic: -kappa ln J. J is the ratio of "
+      "volume to initial volume.",
+      dealii::Patterns::Selection("linear|logarithmic"));
     prm.leave_subsection();
   }
 

@@ -29,7 +29,8 @@ namespace seiche
               point.gradient(cell.rate_velocity, point.gradient_t);
             stress = material.law.stress(velocity_gradient);
           }
-        const double pressure = -material.bulk_modulus * (J_1 - 1.);
+        const double pressure =
+          -material.bulk_modulus * material.volume_law.strain(J_1);
         for (unsigned int i = 0; i < dim; ++i)
           stress[i][i] -= pressure;
       }
@@ -104,15 +105,16 @@ namespace seiche
       {
         point.evaluate(cell, q, /*with_end=*/true);
         const PointState<dim, degree> state(cell, point, q, this->material);
-        MomentumTerms<dim, degree>::add_tangent(cell,
-                                                point,
-                                                cell.quadrature.mass[q],
-                                                state.volume_t,
-                                                viscosity,
-                                                this->material.bulk_modulus *
-                                                  state.J_1,
-                                                state.velocity_gradient,
-                                                state.stress);
+        MomentumTerms<dim, degree>::add_tangent(
+          cell,
+          point,
+          cell.quadrature.mass[q],
+          state.volume_t,
+          viscosity,
+          this->material.bulk_modulus *
+            this->material.volume_law.slope(state.J_1),
+          state.velocity_gradient,
+          state.stress);
       }
   }
 
@@ -123,7 +125,8 @@ namespace seiche
     const double *ratio    = points.data(PointColumn::volume_ratio);
     double       *pressure = points.data(PointColumn::pressure);
     for (std::size_t p = 0; p < points.size(); ++p)
-      pressure[p] = -this->material.bulk_modulus * (ratio[p] - 1.);
+      pressure[p] = -this->material.bulk_modulus *
+                    this->material.volume_law.strain(ratio[p]);
   }
 
   template class Displacement<2>;

@@ -21,8 +21,9 @@ namespace seiche
     template <int dim, int degree>
     struct PointState
     {
-      double         volume_n, volume_t, J_1, rho_t;
-      double         constraint;    // g = J_1 - 1 + p/kappa
+      double         volume_n, volume_t, rho_t;
+      double         J_slope;       // J dphi/dJ at J_1
+      double         constraint;    // g = phi(J_1) + p/kappa
       double         fine_pressure; // p~ = -tau2 g
       Tensor<1, dim> acceleration, pressure_gradient, momentum_residual;
       Tensor<2, dim> velocity_gradient, stress; // S = s - (p + p~) I
@@ -44,13 +45,15 @@ namespace seiche
         const double J_n = 1. + error;
         volume_n         = J_n * quadrature.volume[q];
         volume_t         = point.det_t * volume_n;
-        J_1              = point.det_1 * J_n;
+        const double J_1 = point.det_1 * J_n;
+        J_slope          = material.volume_law.slope(J_1);
         rho_t            = quadrature.mass[q] / volume_t;
         acceleration     = point.value(cell.acceleration);
 
         const double pressure = point.value(cell.pressure);
         pressure_gradient     = point.gradient(cell.pressure, point.gradient_t);
-        constraint            = J_1 - 1. + pressure / material.bulk_modulus;
+        constraint =
+          material.volume_law.strain(J_1) + pressure / material.bulk_modulus;
         if (cell.coefficients.rate_constraint != 0.)
           {
             const Tensor<2, dim> l =
@@ -239,7 +242,7 @@ namespace seiche
                                                 cell.quadrature.mass[q],
                                                 state.volume_t,
                                                 viscosity,
-                                                tau.continuity * state.J_1,
+                                                tau.continuity * state.J_slope,
                                                 state.velocity_gradient,
                                                 state.stress);
         const auto &N = point.N;
@@ -274,7 +277,7 @@ namespace seiche
             for (unsigned int b = 0; b < n_nodes; ++b)
               cell.pp[a][b] += mass_term * N[b] + fine * gg[b];
 
-            const double divergence = weight_g * V0 * state.J_1 * N[a];
+            const double divergence = weight_g * V0 * state.J_slope * N[a];
             const double inertia =
               fine * state.rho_t * cell.coefficients.inertia;
             for (unsigned int k = 0; k < dim; ++k)

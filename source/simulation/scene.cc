@@ -96,7 +96,8 @@ namespace seiche
   {
     return {fluid.density,
             fluid.bulk_modulus,
-            NewtonianLaw{fluid.dynamic_viscosity}};
+            NewtonianLaw{fluid.dynamic_viscosity},
+            VolumeLaw{fluid.volume_law == "logarithmic"}};
   }
 
   template struct Scene<2>;

@@ -170,14 +170,19 @@ namespace
                     if (!parameters.is_mixed() && std::isinf(kappa))
                       continue;
                     const auto formulation = make_formulation<dim>(
-                      parameters, {3., kappa, NewtonianLaw{viscosity}});
+                      parameters,
+                      {3.,
+                       kappa,
+                       NewtonianLaw{viscosity},
+                       VolumeLaw{/*logarithmic=*/sliver}});
                     fill_cell(cell, theta, sliver);
                     const double error = tangent_error(*formulation, cell);
                     std::cout << dim << "D Q" << degree << ' ' << name << ' '
                               << stabilization << ' ' << tau << " mu "
                               << viscosity << " kappa " << kappa << " theta "
-                              << theta << (sliver ? " sliver" : "") << ": "
-                              << (error < 1e-6 ? "exact" : "WRONG") << '\n';
+                              << theta << (sliver ? " sliver, logarithmic" : "")
+                              << ": " << (error < 1e-6 ? "exact" : "WRONG")
+                              << '\n';
                     if (!(error < 1e-6))
                       std::cout << "  relative error " << error << '\n';
                   }

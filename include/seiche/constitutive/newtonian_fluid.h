@@ -19,9 +19,10 @@ namespace seiche
    */
   struct FluidParameters
   {
-    double density           = 0.; ///< [kg/m^3] of the fluid at rest
-    double dynamic_viscosity = 0.; ///< [Pa s]
-    double bulk_modulus      = 0.; ///< [Pa], infinity if incompressible
+    double      density           = 0.; ///< [kg/m^3] of the fluid at rest
+    double      dynamic_viscosity = 0.; ///< [Pa s]
+    double      bulk_modulus      = 0.; ///< [Pa], infinity if incompressible
+    std::string volume_law        = "linear";
 
     void
     add_parameters(dealii::ParameterHandler &prm);

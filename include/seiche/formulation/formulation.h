@@ -3,6 +3,7 @@
 #define seiche_formulation_formulation_h
 
 #include <seiche/constitutive/newtonian_law.h>
+#include <seiche/constitutive/volume_law.h>
 #include <seiche/formulation/cell_data.h>
 #include <seiche/formulation/stabilization.h>
 
@@ -17,6 +18,7 @@ namespace seiche
     double       density      = 0.; ///< [kg/m^3]
     double       bulk_modulus = 0.; ///< [Pa], infinity in the mixed form only
     NewtonianLaw law;
+    VolumeLaw    volume_law;
 
     /// Tangent viscosity [Pa s] that acts in a step with these coefficients.
     double

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_constitutive_volume_law_h
+#define seiche_constitutive_volume_law_h
+
+#include <cmath>
+
+namespace seiche
+{
+  /**
+   * @brief Volumetric strain phi(J) of the pressure law p = -kappa phi(J).
+   *
+   * linear: phi = J - 1, p stays finite as J -> 0; logarithmic: phi = ln J, p
+   * grows without bound. Equal for small strains; with infinite kappa both mean
+   * J = 1.
+   */
+  struct VolumeLaw
+  {
+    bool logarithmic = false;
+
+    double
+    strain(const double J) const
+    {
+      return logarithmic ? std::log(J) : J - 1.;
+    }
+
+    /// J dphi/dJ: dphi = slope div_1 du.
+    double
+    slope(const double J) const
+    {
+      return logarithmic ? 1. : J;
+    }
+  };
+} // namespace seiche
+
+#endif
