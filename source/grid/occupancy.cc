@@ -160,18 +160,17 @@ namespace seiche
   Occupancy<dim>::update(const PointCloud<dim> &points)
   {
     const MPI_Comm communicator = locator.grid.triangulation.get_communicator();
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      occupied_flag[cell] = points.n_points_in(cell) > 0;
+    exchange_flag(occupied_flag);
     occupied.clear();
     bool inside = is_numbered;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      {
-        occupied_flag[cell] = points.n_points_in(cell) > 0;
-        if (occupied_flag[cell])
-          {
-            occupied.push_back(cell);
-            inside = inside && active_flag[cell];
-          }
-      }
-    exchange_flag(occupied_flag);
+      if (occupied_flag[cell])
+        {
+          occupied.push_back(cell);
+          inside = inside && active_flag[cell];
+        }
     global_occupied =
       Utilities::MPI::sum(static_cast<std::uint64_t>(occupied.size()),
                           communicator);

@@ -115,6 +115,14 @@ namespace seiche
                         "slip: no flow through the wall; no-slip: the fluid "
                         "sticks to it; open: fluid may leave.",
                         dealii::Patterns::Selection("slip|no-slip|open"));
+    for (unsigned int id = 0; id < 2 * dim; ++id)
+      prm.add_parameter(side_entry<dim>(id) + " velocity",
+                        velocities_text[id],
+                        "Velocity of a no-slip wall along itself, as of a lid "
+                        "or a belt: one expression of x, y[, z], t per "
+                        "direction, separated by \";\"; empty: at rest. "
+                        "[m/s]",
+                        anything);
     prm.leave_subsection();
 
     for (ObstacleText &obstacle : obstacles_text)
@@ -136,6 +144,13 @@ namespace seiche
                           "slip: no flow through the faces; no-slip: the "
                           "fluid sticks to them.",
                           dealii::Patterns::Selection("slip|no-slip"));
+        prm.add_parameter("Velocity",
+                          obstacle.velocity,
+                          "Velocity of the faces of a no-slip obstacle along "
+                          "themselves, as of a turning cylinder: one "
+                          "expression of x, y[, z], t per direction, "
+                          "separated by \";\"; empty: at rest. [m/s]",
+                          anything);
         prm.leave_subsection();
       }
     refinement.add_parameters(prm);
@@ -281,6 +296,27 @@ namespace seiche
                   fmt::format("makes {:.3g} unknowns; at most 2^31 - 1 are "
                               "possible. Choose larger cells.",
                               n_rows));
+  }
+
+
+
+  template <int dim>
+  std::string
+  GridParameters<dim>::wall_velocity_text(const unsigned int id) const
+  {
+    return id < 2 * dim ? velocities_text[id] :
+                          obstacles_text[id - 2 * dim].velocity;
+  }
+
+
+
+  template <int dim>
+  std::string
+  GridParameters<dim>::wall_velocity_path(const unsigned int id) const
+  {
+    return id < 2 * dim ?
+             "Walls/" + side_entry<dim>(id) + " velocity" :
+             "Obstacle " + obstacles_text[id - 2 * dim].name + "/Velocity";
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/scene/wall_velocity.h>
 #include <seiche/simulation/scene.h>
 #include <seiche/utilities/exceptions.h>
 
@@ -61,6 +62,7 @@ namespace seiche
   Scene<dim>::check(const InputFile &input_file)
   {
     grid.check(input_file);
+    (void)WallVelocity<dim>(grid, input_file);
     body_force.check(input_file);
     fluid.check(input_file);
     seeding.check(input_file);

@@ -38,6 +38,8 @@ namespace seiche
                                  formulation->has_pressure() &&
                                    std::isinf(scene.fluid.bulk_modulus)))
     , body_force(scene.body_force, scene.input)
+    , wall_velocity(scene.grid, scene.input)
+    , wall_conditions(wall_velocity, occupancy)
     , transfer(scene.transfer, fill, scene.fluid.density)
     , matrix(occupancy, formulation->has_pressure())
     , assembler(*formulation,
@@ -207,6 +209,7 @@ namespace seiche
   {
     last = NewtonResult();
     linear_solver.begin_step();
+    wall_conditions.set_start_velocity(state);
     if (formulation->has_pressure() &&
         (scene.time.projects_each_step() || time_stepper.steps() == 0))
       {
@@ -227,6 +230,7 @@ namespace seiche
       const TimerTree::Scope scope(timer, "newton");
       time_scheme->predict(state);
       time_scheme->offsets(state, state.dt, inertia_offset, rate_offset);
+      wall_conditions.set_displacement(state, step_coefficients(), rate_offset);
       assembler.begin(step_coefficients(),
                       state.time,
                       inertia_offset,
@@ -262,6 +266,7 @@ namespace seiche
       return;
     state.dt       = scene.time.step;
     bool converged = true;
+    wall_conditions.set_start_velocity(state);
     if (formulation->has_pressure())
       converged =
         velocity_projection.apply(state, step_coefficients()).converged;

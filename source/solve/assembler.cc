@@ -165,15 +165,11 @@ namespace seiche
     });
     residual.compress(VectorOperation::add);
 
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
-      if (const unsigned int fixed = occupancy.fixed_components(node))
-        for (unsigned int i = 0; i < dim; ++i)
-          if (fixed & (1u << i))
-            {
-              double &value = residual.block(0).local_element(dim * node + i);
-              state.reaction.local_element(dim * node + i) = value;
-              value                                        = 0.;
-            }
+    occupancy.for_each_fixed([&](const unsigned int i) {
+      double &value                   = residual.block(0).local_element(i);
+      state.reaction.local_element(i) = value;
+      value                           = 0.;
+    });
   }
 
   template <int dim>

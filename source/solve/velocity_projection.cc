@@ -31,7 +31,14 @@ namespace seiche
                                  BlockVector            &solution,
                                  const double            reduction)
   {
+    // what walls prescribe is part of the residual, the rest is solved for
     state.solution = 0.;
+    state.solution.zero_out_ghost_values();
+    matrix.occupancy.for_each_fixed([&](const unsigned int i) {
+      state.displacement().local_element(i) =
+        solution.block(0).local_element(i);
+      solution.block(0).local_element(i) = 0.;
+    });
     state.solution.update_ghost_values();
     assembler.begin(coefficients, state.time, inertia_offset, rate_offset);
     BlockVector right_hand_side(state.solution), product(state.solution);
@@ -45,6 +52,10 @@ namespace seiche
     const LinearResult result =
       solver.solve(update, right_hand_side, reduction);
     solution += update;
+    matrix.occupancy.for_each_fixed([&](const unsigned int i) {
+      solution.block(0).local_element(i) =
+        state.displacement().local_element(i);
+    });
     return result;
   }
 
@@ -67,17 +78,17 @@ namespace seiche
     c.rate_constraint = step.start_divergence * dt * dt;
     c.viscous = c.body_force = c.damping = false;
 
-    Vector inertia_offset(state.velocity_n);
+    Vector inertia_offset(state.velocity_start);
     inertia_offset *= -1. / dt;
     inertia_offset.update_ghost_values();
     // from dt v_n: what is left to solve for is its violation alone
     BlockVector guess(state.solution);
     guess          = 0.;
-    guess.block(0) = state.velocity_n;
+    guess.block(0) = state.velocity_start;
     guess.block(0).zero_out_ghost_values();
     guess.block(0) *= dt;
     const LinearResult result =
-      solve(state, c, inertia_offset, state.velocity_n, guess, tolerance);
+      solve(state, c, inertia_offset, state.velocity_start, guess, tolerance);
     state.velocity_start.zero_out_ghost_values();
     state.velocity_start.equ(1. / dt, guess.block(0));
     state.velocity_start.update_ghost_values();

@@ -50,10 +50,7 @@ namespace seiche
       for (unsigned int c = 0; c < dim; ++c)
         {
           double &value = inverse_diagonal.local_element(dim * node + c);
-          value =
-            value > 0. && !(occupancy.fixed_components(node) & (1u << c)) ?
-              1. / value :
-              0.;
+          value         = value > 0. ? 1. / value : 0.;
         }
   }
 
@@ -121,7 +118,6 @@ namespace seiche
       this->template sum_points<degree>(column, dst);
     });
     dst.compress(VectorOperation::add);
-    remove_fixed(dst);
   }
 
   template <int dim>
@@ -180,19 +176,9 @@ namespace seiche
       }
     dst.compress(VectorOperation::add);
     src.zero_out_ghost_values();
-    remove_fixed(dst);
     for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
       if (inverse_diagonal.local_element(i) == 0.)
         dst.local_element(i) = src.local_element(i);
-  }
-
-  template <int dim>
-  void
-  MassMatrix<dim>::remove_fixed(Vector &v) const
-  {
-    for (unsigned int i = 0; i < v.locally_owned_size(); ++i)
-      if (inverse_diagonal.local_element(i) == 0.)
-        v.local_element(i) = 0.;
   }
 
   template <int dim>

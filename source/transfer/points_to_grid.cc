@@ -291,7 +291,7 @@ namespace seiche
 
 
 
-    /// Sums to means; components that walls fix are zero. Own nodes.
+    /// Sums to means; accelerations that walls fix are zero. Own nodes.
     template <int dim>
     void
     divide_by_mass(const Occupancy<dim> &occupancy,
@@ -309,10 +309,10 @@ namespace seiche
           pressure[node] *= inverse;
           for (unsigned int c = 0; c < dim; ++c)
             {
-              const double factor = (fixed >> c) & 1u ? 0. : inverse;
-              velocity[dim * node + c] *= factor;
+              velocity[dim * node + c] *= inverse;
               if (with_acceleration)
-                acceleration[dim * node + c] *= factor;
+                acceleration[dim * node + c] *=
+                  (fixed >> c) & 1u ? 0. : inverse;
             }
         }
     }
@@ -350,8 +350,6 @@ namespace seiche
     for (Vector *vector : sums)
       vector->update_ghost_values();
     improve_velocity(points, state);
-    state.velocity_start = state.velocity_n;
-    state.velocity_start.update_ghost_values();
   }
 
 

@@ -93,6 +93,10 @@ SCENES = {
         [],
         {"speed_middle": 0.0033, "speed_quarter": 0.0025,
          "velocity_l2": 0.0029}),
+    "couette_startup": (
+        "verification/couette_startup",
+        [],
+        {"upper": 0.0017, "lower": 0.0036, "velocity_l2": 0.0001}),
     "film_startup": (
         "verification/film_startup",
         [],

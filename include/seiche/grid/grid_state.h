@@ -37,8 +37,8 @@ namespace seiche
     double dt   = 0.; ///< [s] step size
 
     Vector mass;            ///< [kg] lumped mass from the points
-    Vector velocity_n;      ///< [m/s] from the points, walls applied
-    Vector velocity_start;  ///< [m/s] v_0 of the step: projected velocity_n
+    Vector velocity_n;      ///< [m/s] from the points
+    Vector velocity_start;  ///< [m/s] v_0: with walls, projected
     Vector velocity_series; ///< [m/s] XPIC: M^-1 p by its series, or empty
     Vector acceleration_n;  ///< [m/s^2] empty unless the scheme carries it
 

@@ -181,11 +181,30 @@ namespace seiche
       return fixed_full[full_of_compact[node]];
     }
 
+    /// f(dim*node + component) for the components of own nodes that walls fix.
+    template <typename Function>
+    void
+    for_each_fixed(const Function &f) const
+    {
+      for (unsigned int node = 0; node < n_own; ++node)
+        if (const unsigned int fixed = fixed_components(node))
+          for (unsigned int c = 0; c < dim; ++c)
+            if ((fixed >> c) & 1u)
+              f(dim * node + c);
+    }
+
     /// True if the wall with this boundary id fixes component c at the node.
     bool
     fixed_by(const unsigned int               node,
              const dealii::types::boundary_id wall,
              const unsigned int               component) const;
+
+    /// The pairs (wall, component) of an own node's fixed components.
+    const std::vector<std::pair<dealii::types::boundary_id, unsigned int>> &
+    walls_at(const unsigned int node) const
+    {
+      return walls_full[full_of_compact[node]];
+    }
 
     /// Integral of the node's hat function of FE_Q(1) over the whole domain
     /// [m^dim]: zero where no vertex of a cell lies.

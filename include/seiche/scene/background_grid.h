@@ -63,6 +63,12 @@ namespace seiche
     void
     check(const InputFile &input);
 
+    /// Text and path of the entry with a wall's velocity, by boundary id.
+    std::string
+    wall_velocity_text(const unsigned int id) const;
+    std::string
+    wall_velocity_path(const unsigned int id) const;
+
     /// The whole box.
     dealii::BoundingBox<dim>
     domain() const;
@@ -79,10 +85,11 @@ namespace seiche
     std::array<std::string, dim>     break_points_text;
     std::array<std::string, dim>     cells_text;
     std::array<std::string, 2 * dim> walls_text;
+    std::array<std::string, 2 * dim> velocities_text;
     std::string                      lower_text, upper_text;
     struct ObstacleText
     {
-      std::string name, lower, upper, condition = "slip";
+      std::string name, lower, upper, condition = "slip", velocity;
     };
     std::vector<ObstacleText> obstacles_text;
   };

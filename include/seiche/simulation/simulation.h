@@ -3,6 +3,7 @@
 #define seiche_simulation_simulation_h
 
 #include <seiche/grid/mesh_adaptation.h>
+#include <seiche/grid/wall_conditions.h>
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/run_report.h>
@@ -124,6 +125,8 @@ namespace seiche
     Fill<dim>                               fill;
     const std::unique_ptr<Quadrature<dim>>  quadrature;
     const BodyForce<dim>                    body_force;
+    const WallVelocity<dim>                 wall_velocity;
+    const WallConditions<dim>               wall_conditions;
     const Transfer<dim>                     transfer;
     GridState<dim>                          state;
     BlockMatrix<dim>                        matrix;

@@ -56,7 +56,8 @@ namespace seiche
     using BlockVector = typename GridState<dim>::BlockVector;
 
     /// Solve the system that is linear about u = p = 0, starting from
-    /// @p solution, until the residual has fallen by @p reduction.
+    /// @p solution, until the residual has fallen by @p reduction. Components
+    /// that walls fix keep their value.
     LinearResult
     solve(GridState<dim>         &state,
           const StepCoefficients &coefficients,

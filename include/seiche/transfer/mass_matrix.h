@@ -12,7 +12,7 @@ namespace seiche
    *
    * Nodal velocities v with M v = sum_p m_p N v_p are the field closest to the
    * points' velocities: exact where these belong to the space of the elements,
-   * which a lumped mass is not. Components that walls fix stay zero. The ghost
+   * which a lumped mass is not. The ghost
    * penalty on velocities couples nodes of little mass near the surface to
    * their neighbours.
    */
@@ -29,8 +29,8 @@ namespace seiche
                const double           density,
                const bool             ghost_penalty);
 
-    /// sum_p m_p N v_p of a vector column of the points [dim] -> dst, without
-    /// fixed components. Collective.
+    /// sum_p m_p N v_p of a vector column of the points [dim] -> dst.
+    /// Collective.
     void
     right_hand_side(const PointColumn column, Vector &dst) const;
 
@@ -69,10 +69,6 @@ namespace seiche
     template <int degree>
     void
     sum_points(const PointColumn column, Vector &dst) const;
-
-    /// Zero components that walls fix and rows without mass.
-    void
-    remove_fixed(Vector &v) const;
 
     const PointCloud<dim> &points;
     const Fill<dim>       &fill;

@@ -101,9 +101,10 @@ namespace seiche
     static std::set<PointColumn>
     columns(const TransferParameters &parameters);
 
-    /// Fills mass, velocity_n (fixed components zero), acceleration_n (if
-    /// present), pressure_guess of the state. Nodes without mass get zero.
-    /// velocity_start is set to velocity_n. Collective.
+    /// Fills mass, velocity_n, acceleration_n (if present; fixed components
+    /// zero), pressure_guess of the state. Nodes without mass get zero. Walls
+    /// do not count for velocity_n, so that increments carry what they do to
+    /// the fluid to the points. Collective.
     void
     points_to_grid(const PointCloud<dim> &points, GridState<dim> &state) const;
 

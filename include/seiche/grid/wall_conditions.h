@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_grid_wall_conditions_h
+#define seiche_grid_wall_conditions_h
+
+#include <seiche/grid/time_scheme.h>
+#include <seiche/scene/wall_velocity.h>
+
+namespace seiche
+{
+  /**
+   * @brief Prescribes the components of velocity and displacement that walls
+   * fix: zero, or the velocity of a no-slip wall that moves along itself.
+   *
+   * Where walls meet, a side of the domain decides about its normal component
+   * (zero), and the slower of the walls about the others: a lid does not move
+   * the fluid in its corners.
+   */
+  template <int dim>
+  class WallConditions
+  {
+  public:
+    /// References must outlive the object.
+    WallConditions(const WallVelocity<dim> &velocity,
+                   const Occupancy<dim>    &occupancy);
+
+    /// velocity_start from velocity_n, with the walls' at state.time.
+    /// Collective.
+    void
+    set_start_velocity(GridState<dim> &state) const;
+
+    /// Fixed components of the displacement such that the fluid has the walls'
+    /// velocity at the end of the step; @p rate_offset of the scheme.
+    /// Collective.
+    void
+    set_displacement(GridState<dim>                        &state,
+                     const StepCoefficients                &coefficients,
+                     const typename GridState<dim>::Vector &rate_offset) const;
+
+  private:
+    /// Of an own node's fixed component [m/s].
+    double
+    component(const unsigned int node,
+              const unsigned int component,
+              const double       time) const;
+
+    const WallVelocity<dim> &velocity;
+    const Occupancy<dim>    &occupancy;
+    const bool               moving;
+  };
+} // namespace seiche
+
+#endif
