@@ -80,6 +80,11 @@ SCENES = {
         ["Formulation/Element degree = 2", "Points/Per cell and direction = 4",
          "Time/Step = 0.035"],
         {"velocity_l2": 1.1e-4, "pressure_l2": 0.0022}),
+    "rotating_patch_quadratic": (
+        "benchmarks/rotating_patch/rotating_patch",
+        ["Formulation/Element degree = 2", "Grid/Cell size = 0.1",
+         "Time/Step = 0.05", "Output/Interval = 0"],
+        {"p_centre_rms": 0.0014, "corner_radius_relative": 0.021}),
     "bossak_start": (
         "verification/rotating_patch_start",
         ["Time/Scheme = bossak"],
