@@ -59,6 +59,16 @@ def outcomes(folder):
             for path in pathlib.Path(folder, "runs").glob("*/outcome.json")}
 
 
+def remove(folder):
+    """The folder of a run that may outlive the killed runner for a moment."""
+    for _ in range(100):
+        shutil.rmtree(folder, ignore_errors=True)
+        if not folder.exists():
+            return
+        time.sleep(0.1)
+    raise AssertionError(f"{folder} does not go away")
+
+
 def resume(seiche, folder):
     """Killed, then stopped, then finished; each variant runs to its end once."""
     text = run(seiche, folder, "--dry-run")
@@ -72,7 +82,7 @@ def resume(seiche, folder):
         process.communicate(timeout=30)
         assert process.returncode == code, process.returncode
         assert list(outcomes(folder)) == ["short"], outcomes(folder)
-        shutil.rmtree(next(pathlib.Path(folder, "runs").glob("variant=long*/run")))
+        remove(next(pathlib.Path(folder, "runs").glob("variant=long*/run")))
     first = outcomes(folder)["short"]
     text = run(seiche, folder, "--no-plots")
     assert "3 variants, 2 to be run" in text and "[2/2]" in text, text
