@@ -2,8 +2,6 @@
 #include <seiche/formulation/displacement_pressure_vms.h>
 #include <seiche/formulation/momentum_terms.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <algorithm>
 
 namespace seiche
@@ -316,103 +314,6 @@ namespace seiche
       }
     if (cell.sliver && tau.momentum > 0.)
       sliver_tangent(cell, tau.momentum);
-  }
-
-  namespace
-  {
-    /// Means over the points of a sliver cell.
-    template <int dim, int degree>
-    struct SliverMeans
-    {
-      static constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
-
-      double         volume = 0., mass = 0.;
-      double         N[n_nodes] = {}; // mass-weighted
-      Tensor<1, dim> body_force;
-
-      SliverMeans(const CellData<dim, degree> &cell)
-      {
-        PointKinematics<dim, degree> point;
-        for (unsigned int q = 0; q < cell.quadrature.size; ++q)
-          {
-            const double m = cell.quadrature.mass[q];
-            point.shape(cell.quadrature.point(q), cell.extent);
-            volume += cell.quadrature.volume[q];
-            mass += m;
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              N[a] += m * point.N[a];
-            body_force += m * cell.body_force_at(q);
-          }
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          N[a] /= mass;
-        body_force /= mass;
-      }
-    };
-
-    /// f(grad_n N, weight) at degree + 1 Gauss points per direction; weights
-    /// sum to 1.
-    template <int dim, int degree, typename Function>
-    void
-    for_each_gauss_gradient(const Tensor<1, dim> &extent, const Function &f)
-    {
-      static const QGauss<dim>     gauss(degree + 1);
-      PointKinematics<dim, degree> point;
-      for (unsigned int q = 0; q < gauss.size(); ++q)
-        {
-          point.shape(gauss.point(q), extent);
-          f(point.gradient_n, gauss.weight(q));
-        }
-    }
-  } // namespace
-
-  template <int dim>
-  template <int degree>
-  void
-  DisplacementPressureVMS<dim>::sliver_residual(CellData<dim, degree> &cell,
-                                                const double tau) const
-  {
-    constexpr unsigned int         n_nodes = CellData<dim, degree>::n_nodes;
-    const SliverMeans<dim, degree> mean(cell);
-    Tensor<1, dim>                 force = mean.body_force;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        force[i] -= mean.N[a] * cell.acceleration[i][a];
-    force *= mean.mass / mean.volume;
-
-    for_each_gauss_gradient<dim, degree>(
-      cell.extent,
-      [&](const double(&gradient)[dim][n_nodes], const double weight) {
-        const Tensor<1, dim> r =
-          force -
-          PointKinematics<dim, degree>::gradient(cell.pressure, gradient);
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            cell.residual_p[a] -=
-              weight * mean.volume * tau * r[i] * gradient[i][a];
-      });
-  }
-
-  template <int dim>
-  template <int degree>
-  void
-  DisplacementPressureVMS<dim>::sliver_tangent(CellData<dim, degree> &cell,
-                                               const double           tau) const
-  {
-    constexpr unsigned int         n_nodes = CellData<dim, degree>::n_nodes;
-    const SliverMeans<dim, degree> mean(cell);
-    const double inertia = mean.mass / mean.volume * cell.coefficients.inertia;
-    for_each_gauss_gradient<dim, degree>(
-      cell.extent,
-      [&](const double(&gradient)[dim][n_nodes], const double weight) {
-        const double fine = weight * mean.volume * tau;
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            for (unsigned int b = 0; b < n_nodes; ++b)
-              {
-                cell.pp[a][b] += fine * gradient[i][a] * gradient[i][b];
-                cell.pu[i][a][b] += fine * gradient[i][a] * inertia * mean.N[b];
-              }
-      });
   }
 
   template class DisplacementPressureVMS<2>;

@@ -53,9 +53,9 @@ namespace seiche
     prm.add_parameter("Element degree",
                       degree,
                       "Degree of the elements, the same for displacement and "
-                      "pressure: 1 or 2. Degree 2 needs Transfer/Mass = "
-                      "consistent or 4 points per cell and direction at least "
-                      "to show its order [-]",
+                      "pressure: 1 or 2. Degree 2 takes a consistent mass in "
+                      "the transfers (Transfer/Mass) and needs 3 points per "
+                      "cell and direction at least, better 4 [-]",
                       Patterns::Integer(1, max_degree));
     prm.leave_subsection();
     stabilization.add_parameters(prm);

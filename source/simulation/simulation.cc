@@ -230,11 +230,9 @@ namespace seiche
       const TimerTree::Scope scope(timer, "newton");
       time_scheme->predict(state);
       time_scheme->offsets(state, state.dt, inertia_offset, rate_offset);
-      wall_conditions.set_displacement(state, step_coefficients(), rate_offset);
-      assembler.begin(step_coefficients(),
-                      state.time,
-                      inertia_offset,
-                      rate_offset);
+      const StepCoefficients coefficients = step_coefficients();
+      wall_conditions.set_displacement(state, coefficients, rate_offset);
+      assembler.begin(coefficients, state.time, inertia_offset, rate_offset);
       const NewtonResult result = newton.solve(state);
       last.iterations           = result.iterations;
       last.krylov_iterations += result.krylov_iterations;

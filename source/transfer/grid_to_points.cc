@@ -44,24 +44,12 @@ namespace seiche
       gather(const Occupancy<dim> &occupancy, const unsigned int cell)
       {
         end_field.gather(velocity_np1, occupancy, cell);
-        source = end_field;
-        if (keep > 0.)
-          {
-            CellField<dim, degree> start;
-            start.gather(velocity_n, occupancy, cell);
-            for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int i = 0; i < n_nodes; ++i)
-                source.values[c][i] -= keep * start.values[c][i];
-          }
-        if (method.update == VelocityUpdate::xpic)
-          {
-            CellField<dim, degree> start, series;
-            start.gather(velocity_n, occupancy, cell);
-            series.gather(velocity_series, occupancy, cell);
-            for (unsigned int c = 0; c < dim; ++c)
-              for (unsigned int i = 0; i < n_nodes; ++i)
-                source.values[c][i] += series.values[c][i] - start.values[c][i];
-          }
+        source            = end_field;
+        const bool series = method.update == VelocityUpdate::xpic;
+        if (const double share = series ? 1. : keep; share > 0.)
+          subtract(velocity_n, share, occupancy, cell);
+        if (series)
+          subtract(velocity_series, -1., occupancy, cell);
         if (acceleration_np1 != nullptr)
           acceleration_field.gather(acceleration_np1, occupancy, cell);
       }
@@ -109,6 +97,20 @@ namespace seiche
       CellField<dim, degree> end_field; // v_np1, for the gradient
 
     private:
+      /// source -= share times a nodal vector.
+      void
+      subtract(const double         *vector,
+               const double          share,
+               const Occupancy<dim> &occupancy,
+               const unsigned int    cell)
+      {
+        CellField<dim, degree> field;
+        field.gather(vector, occupancy, cell);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            source.values[c][i] -= share * field.values[c][i];
+      }
+
       const TransferMethod  &method;
       const double           keep;
       const double           dt;

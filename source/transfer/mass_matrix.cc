@@ -47,12 +47,11 @@ namespace seiche
           inverse_diagonal.local_element(dim * block.nodes[a] + c) +=
             block.values[a * block.nodes.size() + a];
     inverse_diagonal.compress(VectorOperation::add);
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          double &value = inverse_diagonal.local_element(dim * node + c);
-          value         = value > 0. ? 1. / value : 0.;
-        }
+    for (unsigned int i = 0; i < inverse_diagonal.locally_owned_size(); ++i)
+      {
+        double &value = inverse_diagonal.local_element(i);
+        value         = value > 0. ? 1. / value : 0.;
+      }
   }
 
   template <int dim>
@@ -221,15 +220,10 @@ namespace seiche
     for (unsigned int k = 0; k < n_times; ++k)
       {
         vmult(product, v);
-        for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
-          if (const double mass = lumped.local_element(node); mass > 0.)
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                const unsigned int i = dim * node + c;
-                if (inverse_diagonal.local_element(i) > 0.)
-                  v.local_element(i) +=
-                    (b.local_element(i) - product.local_element(i)) / mass;
-              }
+        for (unsigned int i = 0; i < v.locally_owned_size(); ++i)
+          if (const double mass = lumped.local_element(i / dim); mass > 0.)
+            v.local_element(i) +=
+              (b.local_element(i) - product.local_element(i)) / mass;
       }
   }
 
