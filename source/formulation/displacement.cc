@@ -113,6 +113,7 @@ namespace seiche
           viscosity,
           this->material.bulk_modulus *
             this->material.volume_law.slope(state.J_1),
+          point.gradient_1,
           state.velocity_gradient,
           state.stress);
       }

@@ -1,11 +1,88 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/formulation/stabilization.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <cmath>
 
 namespace seiche
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// K_num at most, in h^2/tau1: more costs Krylov iterations and gains
+    /// nothing (doc/theory.md, "Linear systems").
+    constexpr double largest_modulus = 2.;
+
+    /// c_1 2 mu c_r k^4/h^2.
+    double
+    viscous_part(const StabilizationParameters &p, const TauArguments &cell)
+    {
+      const double k4 = static_cast<double>(cell.degree * cell.degree) *
+                        cell.degree * cell.degree;
+      return p.viscous_factor * 2. * cell.viscosity * cell.step.rate * k4 /
+             (cell.h * cell.h);
+    }
+
+    /// |v|, which would make tau1 infinite where it is zero.
+    double
+    floored_speed(const StabilizationParameters &p, const TauArguments &cell)
+    {
+      return std::max(cell.speed, p.speed_floor * cell.h / cell.step.dt);
+    }
+
+    /// One row of the table of tau1.
+    struct TauEntry
+    {
+      const char *name;
+      bool        is_uniform;
+      double (*inverse)(const StabilizationParameters &, const TauArguments &);
+    };
+
+    const std::array<TauEntry, 3> tau_table = {
+      {{"transient",
+        true,
+        [](const StabilizationParameters &p, const TauArguments &cell) {
+          return p.inverse_transient_tau(cell);
+        }},
+       {"root of squares",
+        true,
+        [](const StabilizationParameters &p, const TauArguments &cell) {
+          return std::hypot(p.inertia_factor * cell.density * cell.step.inertia,
+                            viscous_part(p, cell));
+        }},
+       {"paper",
+        false,
+        [](const StabilizationParameters &p, const TauArguments &cell) {
+          const double dt = cell.step.dt;
+          return p.viscous_factor * 2. * cell.viscosity /
+                   (cell.h * cell.h * dt) +
+                 p.inertia_factor * cell.density * floored_speed(p, cell) /
+                   (cell.h * dt);
+        }}}};
+
+    const TauEntry &
+    tau_entry(const std::string &name)
+    {
+      for (const TauEntry &entry : tau_table)
+        if (name == entry.name)
+          return entry;
+      AssertThrow(false, ExcInternalError()); // the pattern refuses other names
+      return tau_table[0];
+    }
+
+    std::string
+    tau_names()
+    {
+      std::string names;
+      for (const TauEntry &entry : tau_table)
+        names += (names.empty() ? "" : "|") + std::string(entry.name);
+      return names;
+    }
+  } // namespace
 
   void
   StabilizationParameters::add_parameters(ParameterHandler &prm)
@@ -13,14 +90,27 @@ namespace seiche
     prm.enter_subsection("Formulation");
     prm.add_parameter("Stabilization",
                       stabilization,
-                      "Subscales of the mixed form: ASGS or none [-]",
-                      Patterns::Selection("ASGS|none"));
+                      "Subscales of the mixed form: ASGS (whole residual), "
+                      "OSGS (its part orthogonal to the finite elements), "
+                      "split OSGS (of the pressure gradient only) or none [-]",
+                      Patterns::Selection("ASGS|OSGS|split OSGS|none"));
+    prm.add_parameter("Projection updates",
+                      projection_updates,
+                      "OSGS: Newton iterations of a step after which the "
+                      "residual is projected again; 0: at the first guess of "
+                      "the step only [-]",
+                      Patterns::Integer(0));
+    prm.add_parameter("Projection mass",
+                      projection_mass,
+                      "OSGS: mass matrix of the projection [-]",
+                      Patterns::Selection("lumped|consistent"));
     prm.add_parameter("Tau",
                       tau,
                       "Stabilization parameters: transient (inertia and "
-                      "viscosity; finite for fluid at rest) or paper "
-                      "(equation 25 of the founding paper)",
-                      Patterns::Selection("transient|paper"));
+                      "viscosity added; finite for fluid at rest), root of "
+                      "squares (of the same two) or paper (quasi-static, "
+                      "equation 25 of the founding paper)",
+                      Patterns::Selection(tau_names()));
     prm.add_parameter("Tau speed floor",
                       speed_floor,
                       "Tau = paper: smallest speed in equation 25, which is "
@@ -39,57 +129,48 @@ namespace seiche
                       "Factor c_2 of tau2 = c_2 h^2/tau1; 0.1 keeps energy, 1 "
                       "suits disordered points over long times [-]",
                       Patterns::Double(0.));
+    prm.add_parameter("Tau continuity modulus",
+                      continuity_modulus,
+                      "K_num, added to tau2; at most 2 h^2/tau1 of it counts "
+                      "[Pa]",
+                      Patterns::Double(0.));
     prm.add_parameter(
       "Tau continuity time",
       continuity_time,
-      "Time T_c: tau2 of smaller steps is multiplied by dt/T_c, "
+      "Time T_c: c_2 h^2/tau1 of smaller steps is multiplied by dt/T_c, "
       "or it would resist div v as a viscosity that grows as "
       "1/dt; 0: none [s]",
       Patterns::Double(0.));
     prm.leave_subsection();
   }
 
-  double
-  StabilizationParameters::inverse_transient_tau(
-    const StepCoefficients &coefficients,
-    const double            density,
-    const double            viscosity,
-    const double            h,
-    const unsigned int      degree) const
+  bool
+  StabilizationParameters::tau_is_uniform() const
   {
-    const double k4 = static_cast<double>(degree * degree) * degree * degree;
-    return inertia_factor * density * coefficients.inertia +
-           viscous_factor * 2. * viscosity * coefficients.rate * k4 / (h * h);
+    return tau_entry(tau).is_uniform;
+  }
+
+  double
+  StabilizationParameters::inverse_transient_tau(const TauArguments &cell) const
+  {
+    return inertia_factor * cell.density * cell.step.inertia +
+           viscous_part(*this, cell);
   }
 
   Tau
-  StabilizationParameters::evaluate(const StepCoefficients &coefficients,
-                                    const double            density,
-                                    const double            bulk_modulus,
-                                    const double            viscosity,
-                                    const double            h,
-                                    const unsigned int      degree,
-                                    const double            speed) const
+  StabilizationParameters::evaluate(const TauArguments &cell) const
   {
     Tau result;
     if (!is_active())
       return result;
-    double inverse = 0.;
-    if (tau == "transient")
-      inverse =
-        inverse_transient_tau(coefficients, density, viscosity, h, degree);
-    else
-      {
-        const double floored =
-          std::max(speed, speed_floor * h / coefficients.dt);
-        inverse = viscous_factor * 2. * viscosity / (h * h * coefficients.dt) +
-                  inertia_factor * density * floored / (h * coefficients.dt);
-      }
-    result.momentum   = 1. / inverse;
-    result.continuity = continuity_factor * h * h * inverse;
-    if (continuity_time > coefficients.dt)
-      result.continuity *= coefficients.dt / continuity_time;
-    result.continuity /= 1. + result.continuity / bulk_modulus;
+    const double inverse = tau_entry(tau).inverse(*this, cell);
+    const double scale   = cell.h * cell.h * inverse; // [Pa]
+    result.momentum      = 1. / inverse;
+    result.continuity    = continuity_factor * scale;
+    if (continuity_time > cell.step.dt)
+      result.continuity *= cell.step.dt / continuity_time;
+    result.continuity += std::min(continuity_modulus, largest_modulus * scale);
+    result.continuity /= 1. + result.continuity / cell.bulk_modulus;
     return result;
   }
 } // namespace seiche

@@ -122,8 +122,10 @@ namespace seiche
     public:
       using Vector = typename TimeScheme<dim>::Vector;
 
-      explicit GeneralizedMidpoint(const double rho_infinity)
+      GeneralizedMidpoint(const double rho_infinity,
+                          const bool   second_order_pressure)
         : theta(1. / (1. + rho_infinity))
+        , jerk_factor(second_order_pressure ? 1. / 12. : 0.)
       {}
 
       StepCoefficients
@@ -136,6 +138,7 @@ namespace seiche
         c.rate    = 1. / dt;
 
         c.start_divergence = 0.5 - theta;
+        c.jerk_constraint  = jerk_factor * dt * dt * dt;
         return c;
       }
 
@@ -183,7 +186,7 @@ namespace seiche
       }
 
     private:
-      const double theta;
+      const double theta, jerk_factor;
     };
 
     /// One row of the table of schemes.
@@ -198,7 +201,9 @@ namespace seiche
     constexpr std::array<SchemeEntry<dim>, 3> scheme_table = {
       {{"generalized midpoint",
         [](const TimeSchemeParameters &p) -> std::unique_ptr<TimeScheme<dim>> {
-          return std::make_unique<GeneralizedMidpoint<dim>>(p.rho_infinity);
+          return std::make_unique<GeneralizedMidpoint<dim>>(
+            p.rho_infinity,
+            p.pressure_order == "second" && p.rho_infinity == 1.);
         }},
        {"bossak",
         [](const TimeSchemeParameters &p) -> std::unique_ptr<TimeScheme<dim>> {
@@ -240,6 +245,14 @@ namespace seiche
                       bossak_alpha,
                       "Weight of the old acceleration in Bossak's inertia [-]",
                       Patterns::Double(-1. / 3., 0.));
+    prm.add_parameter("Pressure order",
+                      pressure_order,
+                      "Order in the step of the pressure of the generalized "
+                      "midpoint scheme with Rho infinity = 1 (below 1 all is "
+                      "of first order). second: the constraint leaves the "
+                      "velocity at the end of the step without divergence; "
+                      "first: it keeps the volume of the step's own path",
+                      Patterns::Selection("first|second"));
     prm.leave_subsection();
   }
 

@@ -53,9 +53,11 @@ namespace seiche
                           matrix,
                           linear_solver,
                           scene.linear_solver.projection_tolerance)
+    , residual_projection(assembler, *quadrature, occupancy)
     , newton(scene.newton,
              scene.linear_solver.tolerance,
              assembler,
+             residual_projection,
              matrix,
              linear_solver)
     , time_stepper(scene.time)

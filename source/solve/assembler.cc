@@ -32,20 +32,22 @@ namespace seiche
     time           = start_time;
     inertia_offset = &acceleration_offset;
     rate_offset    = &velocity_offset;
+    projection     = nullptr;
+  }
+
+  template <int dim>
+  void
+  Assembler<dim>::set_projection(const BlockVector *projected)
+  {
+    projection = projected;
   }
 
   template <int dim>
   Tau
   Assembler<dim>::reference_tau(const double size) const
   {
-    const MaterialConstants &material = formulation.material;
-    return formulation.stabilization.evaluate(step,
-                                              material.density,
-                                              material.bulk_modulus,
-                                              material.viscosity(step),
-                                              size,
-                                              occupancy.fe.degree,
-                                              /*speed=*/0.);
+    return formulation.stabilization.evaluate(
+      formulation.tau_arguments(step, size, occupancy.fe.degree, /*speed=*/0.));
   }
 
   template <int dim>
@@ -93,6 +95,9 @@ namespace seiche
           data.pressure[a] = state.pressure().local_element(nodes[a]);
         occupancy.expand(cell, data.pressure);
       }
+    data.orthogonal = projection != nullptr;
+    if (data.orthogonal)
+      gather_projection<degree>(cell);
 
     data.body_force_varies = step.body_force && !body_force.is_constant();
     if (data.body_force_varies)
@@ -101,6 +106,26 @@ namespace seiche
       data.constant_body_force =
         step.body_force ? body_force.constant_value() : Tensor<1, dim>();
     return data;
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  Assembler<dim>::gather_projection(const unsigned int cell)
+  {
+    CellData<dim, degree> &data  = std::get<degree - 1>(workspace);
+    const unsigned int    *nodes = occupancy.cell_nodes(cell);
+    for (unsigned int a = 0; a < data.n_nodes; ++a)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          data.projected_momentum[i][a] =
+            projection->block(0).local_element(dim * nodes[a] + i);
+        data.projected_constraint[a] =
+          projection->block(1).local_element(nodes[a]);
+      }
+    for (unsigned int i = 0; i < dim; ++i)
+      occupancy.expand(cell, data.projected_momentum[i]);
+    occupancy.expand(cell, data.projected_constraint);
   }
 
   template <int dim>
@@ -155,6 +180,15 @@ namespace seiche
   }
 
   template <int dim>
+  bool
+  Assembler<dim>::is_closed() const
+  {
+    return formulation.has_pressure() &&
+           std::isinf(formulation.material.bulk_modulus) &&
+           !occupancy.has_free_surface();
+  }
+
+  template <int dim>
   void
   Assembler<dim>::residual(GridState<dim> &state, BlockVector &residual)
   {
@@ -164,6 +198,8 @@ namespace seiche
       this->template add_residual<degree>(state, residual);
     });
     residual.compress(VectorOperation::add);
+    if (is_closed())
+      subtract_mean(residual.block(1), state.mass);
 
     occupancy.for_each_fixed([&](const unsigned int i) {
       double &value                   = residual.block(0).local_element(i);
@@ -173,29 +209,55 @@ namespace seiche
   }
 
   template <int dim>
+  void
+  Assembler<dim>::projected_terms(const GridState<dim> &state,
+                                  BlockVector          &sums)
+  {
+    sums = 0.;
+    with_degree(occupancy.fe.degree, [&](const auto degree) {
+      for (const unsigned int cell : occupancy.occupied_cells())
+        {
+          auto &data = this->template gather<degree>(cell, state);
+          formulation.projected_terms(data);
+          this->template scatter<degree>(cell, data, sums);
+        }
+    });
+    sums.compress(VectorOperation::add);
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  Assembler<dim>::scatter(const unsigned int     cell,
+                          CellData<dim, degree> &data,
+                          BlockVector           &sums) const
+  {
+    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    for (unsigned int i = 0; i < dim; ++i)
+      {
+        occupancy.condense(cell, data.residual_u[i]);
+        for (unsigned int a = 0; a < data.n_nodes; ++a)
+          sums.block(0).local_element(dim * nodes[a] + i) +=
+            data.residual_u[i][a];
+      }
+    if (!formulation.has_pressure())
+      return;
+    occupancy.condense(cell, data.residual_p);
+    for (unsigned int a = 0; a < data.n_nodes; ++a)
+      sums.block(1).local_element(nodes[a]) += data.residual_p[a];
+  }
+
+  template <int dim>
   template <int degree>
   void
   Assembler<dim>::add_residual(GridState<dim> &state, BlockVector &residual)
   {
-    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
-    const bool             mixed   = formulation.has_pressure();
+    const bool mixed = formulation.has_pressure();
     for (const unsigned int cell : occupancy.occupied_cells())
       {
         CellData<dim, degree> &data = gather<degree>(cell, state);
         formulation.residual(data);
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int i = 0; i < dim; ++i)
-          occupancy.condense(cell, data.residual_u[i]);
-        if (mixed)
-          occupancy.condense(cell, data.residual_p);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            for (unsigned int i = 0; i < dim; ++i)
-              residual.block(0).local_element(dim * nodes[a] + i) +=
-                data.residual_u[i][a];
-            if (mixed)
-              residual.block(1).local_element(nodes[a]) += data.residual_p[a];
-          }
+        scatter<degree>(cell, data, residual);
       }
     for_each_ghost_face<degree>([&](const GhostFaceMatrix<dim, degree> &face,
                                     const GhostCoefficients &coefficient) {
@@ -338,11 +400,8 @@ namespace seiche
   Assembler<dim>::ghost_tau(const double size) const
   {
     return 1. / formulation.stabilization.inverse_transient_tau(
-                  step,
-                  formulation.material.density,
-                  formulation.material.viscosity(step),
-                  size,
-                  occupancy.fe.degree);
+                  formulation.tau_arguments(
+                    step, size, occupancy.fe.degree, /*speed=*/0.));
   }
 
   template class Assembler<2>;

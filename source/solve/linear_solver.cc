@@ -25,18 +25,22 @@ namespace seiche
     /// second each in 3D, and seldom.
     constexpr types::global_dof_index rescue_below = 5000;
 
-    /// The system with scaled pressure rows, as FGMRES wants it.
+    /// The system with scaled pressure rows, as FGMRES wants it; their mean
+    /// left out in a closed domain, as in the residual.
     template <int dim>
     struct ScaledOperator
     {
-      const BlockMatrix<dim> &matrix;
-      const double            row_scale;
+      const BlockMatrix<dim>                &matrix;
+      const double                           row_scale;
+      const typename GridState<dim>::Vector *closed_weights;
 
       void
       vmult(typename BlockMatrix<dim>::BlockVector       &dst,
             const typename BlockMatrix<dim>::BlockVector &src) const
       {
         matrix.vmult(dst, src);
+        if (closed_weights != nullptr)
+          subtract_mean(dst.block(1), *closed_weights);
         if (matrix.has_pressure())
           dst.block(1) *= row_scale;
       }
@@ -95,9 +99,9 @@ namespace seiche
     direct = parameters.solver == "direct" ||
              (parameters.solver == "automatic" && unknowns < direct_below);
     rescue = parameters.solver == "automatic" && unknowns < rescue_below;
-    closed = matrix->has_pressure() && std::isinf(material.bulk_modulus) &&
-             !occupancy.has_free_surface();
-    set_up = [this, &assembler, &mass]() {
+    closed = assembler.is_closed();
+    closed_weights = closed ? &mass : nullptr;
+    set_up         = [this, &assembler, &mass]() {
       const TimerTree::Scope scope(timer, "preconditioner");
       preconditioner.initialize(*matrix, assembler, material, mass, closed);
     };
@@ -153,8 +157,6 @@ namespace seiche
                                        const double       tolerance)
   {
     scaled = right_hand_side;
-    if (closed) // the rows of the volume add up to zero, so must their right
-      scaled.block(1).add(-scaled.block(1).mean_value()); // hand side
     if (matrix->has_pressure())
       scaled.block(1) *= row_scale;
     const double target = tolerance * scaled.l2_norm();
@@ -170,7 +172,7 @@ namespace seiche
     SolverFGMRES<BlockVector> solver(control, data);
     try
       {
-        solver.solve(ScaledOperator<dim>{*matrix, row_scale},
+        solver.solve(ScaledOperator<dim>{*matrix, row_scale, closed_weights},
                      solution,
                      scaled,
                      preconditioner);
@@ -180,7 +182,8 @@ namespace seiche
       {
         // the solver's own estimate may be far off after this many iterations
         BlockVector rest(scaled);
-        ScaledOperator<dim>{*matrix, row_scale}.vmult(rest, solution);
+        ScaledOperator<dim>{*matrix, row_scale, closed_weights}.vmult(rest,
+                                                                      solution);
         rest -= scaled;
         result.converged = false;
         result.reduction = rest.l2_norm() / scaled.l2_norm();

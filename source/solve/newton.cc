@@ -42,14 +42,16 @@ namespace seiche
   }
 
   template <int dim>
-  Newton<dim>::Newton(const NewtonParameters &p,
-                      const double            forcing,
-                      Assembler<dim>         &a,
-                      BlockMatrix<dim>       &m,
-                      LinearSolver<dim>      &s)
+  Newton<dim>::Newton(const NewtonParameters  &p,
+                      const double             forcing,
+                      Assembler<dim>          &a,
+                      ResidualProjection<dim> &r,
+                      BlockMatrix<dim>        &m,
+                      LinearSolver<dim>       &s)
     : parameters(p)
     , largest_forcing(forcing)
     , assembler(a)
+    , projection(r)
     , matrix(m)
     , solver(s)
   {}
@@ -115,6 +117,7 @@ namespace seiche
     NewtonResult result;
     residual.reinit(state.solution);
     update.reinit(state.solution);
+    projection.begin(state);
     assembler.residual(state, residual);
     const Norms first = norms(residual), scale = scales(state);
     const Norms target = {
@@ -154,7 +157,9 @@ namespace seiche
             return result;
           }
         const double after = move(state, before);
-        now                = norms(residual);
+        if (projection.update(state, result.iterations))
+          assembler.residual(state, residual);
+        now = norms(residual);
 
         // what is left to gain: never ask the next solve for much more
         const double needed =

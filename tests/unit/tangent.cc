@@ -33,6 +33,7 @@ namespace
     cell.coefficients.inertia         = 1. / (theta * dt * dt);
     cell.coefficients.rate            = 1. / dt;
     cell.coefficients.volume_recovery = 0.1;
+    cell.coefficients.jerk_constraint = dt * dt * dt / 12.;
     cell.sliver                       = sliver;
     cell.size                         = 0.4;
     cell.start_speed                  = 1.3;
@@ -70,7 +71,12 @@ namespace
           cell.rate_velocity[i][a] = c.rate * u + 0.1 * offsets[i * n + a];
         }
     for (unsigned int a = 0; a < n; ++a)
-      cell.pressure[a] = x[dim * n + a];
+      {
+        cell.pressure[a] = x[dim * n + a];
+        for (unsigned int i = 0; i < dim; ++i)
+          cell.projected_momentum[i][a] = 3. * offsets[i * n + a];
+        cell.projected_constraint[a] = 0.01 * offsets[a];
+      }
   }
 
   template <int dim, int degree>
@@ -156,8 +162,8 @@ namespace
     const double          infinite = std::numeric_limits<double>::infinity();
     CellData<dim, degree> cell;
     for (const char *name : {"displacement-pressure", "displacement"})
-      for (const char *stabilization : {"ASGS", "none"})
-        for (const char *tau : {"transient", "paper"})
+      for (const char *stabilization : {"ASGS", "none", "OSGS", "split OSGS"})
+        for (const char *tau : {"transient", "paper", "root of squares"})
           for (const double viscosity : {0., 0.7})
             for (const double kappa : {50., infinite})
               for (const double theta : {0.5, 0.6, 1.})
@@ -169,6 +175,9 @@ namespace
                     parameters.stabilization.tau           = tau;
                     if (!parameters.is_mixed() && std::isinf(kappa))
                       continue;
+                    if (tau != std::string("transient") &&
+                        stabilization != std::string("ASGS"))
+                      continue; // tau is a number to the weak form
                     const auto formulation = make_formulation<dim>(
                       parameters,
                       {3.,
@@ -176,6 +185,7 @@ namespace
                        NewtonianLaw{viscosity},
                        VolumeLaw{/*logarithmic=*/sliver}});
                     fill_cell(cell, theta, sliver);
+                    cell.orthogonal = parameters.stabilization.is_orthogonal();
                     const double error = tangent_error(*formulation, cell);
                     std::cout << dim << "D Q" << degree << ' ' << name << ' '
                               << stabilization << ' ' << tau << " mu "

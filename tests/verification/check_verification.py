@@ -9,6 +9,7 @@ Limits are about one and a half times what was measured when the case was
 written; orders are bounded from below (and above, where a higher order would
 mean that something is not tested).
 """
+import csv
 import json
 import math
 import pathlib
@@ -25,6 +26,9 @@ import wave_fit  # noqa: E402
 def cells(n, dim=2):
     return [f"Grid/Cells {axis} = {n}" for axis in "xyz"[:dim]]
 
+
+QUADRATIC = ["Formulation/Element degree = 2",
+             "Points/Per cell and direction = 4"]
 
 # case: (scene, settings, {score: limit}); limits of "ledger ..." are of the
 # entry of the ledger
@@ -213,18 +217,33 @@ ORDERS = {
     "order_taylor_green": (
         "verification/taylor_green",
         [cells(16) + ["Time/Step = 0.1"], cells(32) + ["Time/Step = 0.05"]],
-        2, {"velocity_l2": (1.9, 3), "pressure_l2": (1.5, 3),
+        2, {"velocity_l2": (1.9, 3.2), "pressure_l2": (1.9, 3),
             "velocity_points": (1.9, 3)}),
+    "order_taylor_green_quadratic": (
+        "verification/taylor_green",
+        [cells(16) + QUADRATIC + ["Time/Step = 0.035355"],
+         cells(32) + QUADRATIC + ["Time/Step = 0.0125"]],
+        2, {"velocity_l2": (2.7, 4), "pressure_l2": (1.9, 4)}),
+    "order_manufactured_2d_quadratic": (
+        "verification/manufactured_2d",
+        [cells(8) + QUADRATIC + ["Time/Step = 0.05"],
+         cells(16) + QUADRATIC + ["Time/Step = 0.0177"]],
+        2, {"velocity_l2": (2.8, 4), "pressure_l2": (2.5, 4)}),
+    "order_manufactured_3d_quadratic": (
+        "verification/manufactured_3d",
+        [cells(6, 3) + QUADRATIC + ["Time/Step = 0.05"],
+         cells(10, 3) + QUADRATIC + ["Time/Step = 0.02324"]],
+        10 / 6, {"velocity_l2": (2.8, 4), "pressure_l2": (2.5, 4)}),
     "order_manufactured_2d": (
         "verification/manufactured_2d",
         [cells(16) + ["Time/Step = 0.025"],
          cells(32) + ["Time/Step = 0.0125"]],
-        2, {"velocity_l2": (1.8, 3), "pressure_l2": (1.5, 3)}),
+        2, {"velocity_l2": (1.8, 3), "pressure_l2": (1.8, 3)}),
     "order_manufactured_3d": (
         "verification/manufactured_3d",
         [cells(8, 3) + ["Time/Step = 0.05"],
          cells(12, 3) + ["Time/Step = 0.03125"]],
-        1.5, {"velocity_l2": (1.8, 4), "pressure_l2": (1.3, 3)}),
+        1.5, {"velocity_l2": (1.8, 4), "pressure_l2": (1.8, 3)}),
     # the elastic force is taken at the end of the step: first order
     "order_manufactured_compressible": (
         "verification/manufactured_compressible",
@@ -308,7 +327,32 @@ def standing_wave(runner):
     assert abs(frequency) <= 0.002 and abs(damping) <= 0.06
 
 
-OTHERS = {"standing_wave": standing_wave}
+def time_order_vortex(runner):
+    """Order of the velocity at the probes against that of a small step."""
+    def velocities(step, order):
+        output, _ = runner.run("verification/time_order_vortex",
+                               [f"Time/Step = {step}",
+                                f"Time/Pressure order = {order}"])
+        with open(f"{output}/statistics.csv", encoding="utf-8") as file:
+            last = list(csv.DictReader(file))[-1]
+        return [float(last[column]) for column in last
+                if column.startswith("probe") and "velocity" in column]
+
+    errors = {}
+    for order in ("first", "second"):
+        reference = velocities(0.0125, order)
+        errors[order] = [math.dist(velocities(step, order), reference)
+                         for step in (0.2, 0.1, 0.05)]
+    print(errors)
+    first, second = errors["first"], errors["second"]
+    for coarse, fine in zip(first, first[1:]):
+        assert 1.9 <= math.log2(coarse / fine) <= 2.3
+    # smaller, and at 0.05 s what is left is the error in space
+    assert second[0] <= 0.25 * first[0] and second[1] <= 0.35 * first[1]
+
+
+OTHERS = {"standing_wave": standing_wave,
+          "time_order_vortex": time_order_vortex}
 
 
 def main():

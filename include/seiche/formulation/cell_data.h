@@ -39,6 +39,12 @@ namespace seiche
     alignas(64) NodalVector rate_velocity; ///< c_r u + offset [m/s]
     alignas(64) NodalScalar pressure;      ///< p [Pa], mixed form only
 
+    /// Orthogonal subscales: nodal projections of the momentum residual
+    /// [N/m^dim] and of the constraint [-].
+    bool orthogonal = false;
+    alignas(64) NodalVector projected_momentum;
+    alignas(64) NodalScalar projected_constraint;
+
     /// Body acceleration [m/s^2]: one value, or one per quadrature point.
     dealii::Tensor<1, dim>              constant_body_force;
     std::vector<dealii::Tensor<1, dim>> body_force;

@@ -30,8 +30,15 @@ namespace seiche
     tangent(CellData<dim, 1> &cell) const override;
     void
     tangent(CellData<dim, 2> &cell) const override;
+    void
+    projected_terms(CellData<dim, 1> &cell) const override;
+    void
+    projected_terms(CellData<dim, 2> &cell) const override;
 
   private:
+    template <int degree>
+    void
+    add_projected_terms(CellData<dim, degree> &cell) const;
     template <int degree>
     void
     add_residual(CellData<dim, degree> &cell) const;

@@ -62,6 +62,22 @@ namespace seiche
     virtual void
     tangent(CellData<dim, 2> &cell) const = 0;
 
+    /// What orthogonal subscales project: sums over the quadrature points of
+    /// V_t r N (residual_u [N]) and V_t g N (residual_p [m^dim]). Only of
+    /// formulations with subscales.
+    virtual void
+    projected_terms(CellData<dim, 1> &cell) const
+    {
+      (void)cell;
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+    virtual void
+    projected_terms(CellData<dim, 2> &cell) const
+    {
+      (void)cell;
+      AssertThrow(false, dealii::ExcNotImplemented());
+    }
+
     /// Derived columns of the points after their volume ratio has changed
     /// (the pressure, where it is no unknown). Local.
     virtual void
@@ -75,13 +91,24 @@ namespace seiche
     Tau
     tau(const CellData<dim, degree> &cell) const
     {
-      return stabilization.evaluate(cell.coefficients,
-                                    material.density,
-                                    material.bulk_modulus,
-                                    material.viscosity(cell.coefficients),
-                                    cell.size,
-                                    degree,
-                                    cell.start_speed);
+      return stabilization.evaluate(
+        tau_arguments(cell.coefficients, cell.size, degree, cell.start_speed));
+    }
+
+    /// The same of a cell of size @p h [m] with speed [m/s] in its centre.
+    TauArguments
+    tau_arguments(const StepCoefficients &step,
+                  const double            h,
+                  const unsigned int      degree,
+                  const double            speed) const
+    {
+      return {step,
+              material.density,
+              material.bulk_modulus,
+              material.viscosity(step),
+              h,
+              degree,
+              speed};
     }
 
     const MaterialConstants       material;

@@ -45,8 +45,9 @@ namespace seiche
      * Add the derivative of the above with respect to u:
      * m C_a du.w + V_t ds:grad_t w
      * + theta V_t {(div_t du) S:grad_t w - S:(grad_t w grad_t du)}
-     * + bulk V_t J_1 div_1 du div_t w,
-     * where bulk is tau2 (mixed) or kappa (irreducible).
+     * + bulk V_t dg[du] div_t w,
+     * where -bulk g is the pressure that depends on u: tau2 and the constraint
+     * (mixed), kappa and the volume (irreducible); @p slope[k][b] is dg/du_kb.
      */
     static void
     add_tangent(CellData<dim, degree>              &cell,
@@ -54,13 +55,13 @@ namespace seiche
                 const double                        mass,
                 const double                        volume_t,
                 const double                        viscosity,
-                const double                        bulk_J,
-                const dealii::Tensor<2, dim>       &velocity_gradient,
-                const dealii::Tensor<2, dim>       &stress)
+                const double                        bulk,
+                const double (&slope)[dim][n_nodes],
+                const dealii::Tensor<2, dim> &velocity_gradient,
+                const dealii::Tensor<2, dim> &stress)
     {
       const double theta   = cell.coefficients.theta;
       const auto  &g       = point.gradient_t;
-      const auto  &h       = point.gradient_1;
       const double inertia = mass * cell.coefficients.inertia;
 
       alignas(64) double Sg[dim][n_nodes]; // theta V_t (S grad N)
@@ -78,11 +79,11 @@ namespace seiche
             {
               const double from_div   = Sg[i][a];
               const double from_shear = g[k][a];
-              const double from_bulk  = bulk_J * volume_t * g[i][a];
+              const double from_bulk  = bulk * volume_t * g[i][a];
               double      *row        = cell.uu[i][k][a];
               for (unsigned int b = 0; b < n_nodes; ++b)
                 row[b] += from_div * g[k][b] - from_shear * Sg[i][b] +
-                          from_bulk * h[k][b];
+                          from_bulk * slope[k][b];
             }
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int a = 0; a < n_nodes; ++a)

@@ -37,14 +37,18 @@ namespace seiche
     /// [s^2] weight of -tr(l l) in the constraint, l the gradient of the rate's
     /// velocity: projection of v_0 and consistent start only.
     double rate_constraint = 0.;
+    /// [s^3] weight of -(3 tr(l grad a) - 2 tr(l^3)) = -div(D^2 v/Dt^2) in the
+    /// constraint: v_1 then has no divergence (doc/theory.md).
+    double jerk_constraint = 0.;
   };
 
   /// prm entries that choose and tune the scheme (subsection "Time").
   struct TimeSchemeParameters
   {
-    std::string scheme       = "generalized midpoint";
-    double      rho_infinity = 1.;
-    double      bossak_alpha = -0.3;
+    std::string scheme         = "generalized midpoint";
+    double      rho_infinity   = 1.;
+    double      bossak_alpha   = -0.3;
+    std::string pressure_order = "second";
 
     void
     add_parameters(dealii::ParameterHandler &prm);

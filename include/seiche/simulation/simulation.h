@@ -133,6 +133,7 @@ namespace seiche
     Assembler<dim>                          assembler;
     LinearSolver<dim>                       linear_solver;
     VelocityProjection<dim>                 velocity_projection;
+    ResidualProjection<dim>                 residual_projection;
     Newton<dim>                             newton;
     TimeStepper                             time_stepper;
     StatisticsTable                         statistics;

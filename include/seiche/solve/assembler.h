@@ -13,6 +13,15 @@
 
 namespace seiche
 {
+  /// Take a multiple of the weights from the rows, so that these add up to
+  /// zero. Collective.
+  template <typename Vector>
+  void
+  subtract_mean(Vector &rows, const Vector &weights)
+  {
+    rows.add(-rows.mean_value() / weights.mean_value(), weights);
+  }
+
   /**
    * @brief Loops over occupied cells and ghost faces: residual and tangent.
    *
@@ -41,8 +50,25 @@ namespace seiche
           const Vector           &inertia_offset,
           const Vector           &rate_offset);
 
+    /// Let residual() and tangent() subtract these projections from what
+    /// drives the subscales (orthogonal subscales), until the next begin();
+    /// nullptr: none. With ghost values; must outlive its use.
+    void
+    set_projection(const BlockVector *projected);
+
+    /// Formulation::projected_terms() summed over the cells. Collective.
+    void
+    projected_terms(const GridState<dim> &state, BlockVector &sums);
+
+    /// True if the pressure is known up to a constant: no free surface, no
+    /// finite bulk modulus. The rows of the volume then add up to zero.
+    bool
+    is_closed() const;
+
     /// Residual of the state; the part of fixed components goes to
-    /// state.reaction instead, their residual is zero. Collective.
+    /// state.reaction instead, their residual is zero. In a closed domain the
+    /// mean of the volume's rows, which no increment changes, is left out.
+    /// Collective.
     void
     residual(GridState<dim> &state, BlockVector &residual);
 
@@ -87,6 +113,18 @@ namespace seiche
     CellData<dim, degree> &
     gather(const unsigned int cell, const GridState<dim> &state);
 
+    /// The projections of the residuals.
+    template <int degree>
+    void
+    gather_projection(const unsigned int cell);
+
+    /// Add the cell's residuals to the nodes', to the masters of hanging ones.
+    template <int degree>
+    void
+    scatter(const unsigned int     cell,
+            CellData<dim, degree> &data,
+            BlockVector           &sums) const;
+
     /// The same of a body force that varies, at the places that v_0 predicts:
     /// second order, and the tangent does not need the gradient of the
     /// expression.
@@ -119,6 +157,7 @@ namespace seiche
     double                 time           = 0.;
     const Vector          *inertia_offset = nullptr;
     const Vector          *rate_offset    = nullptr;
+    const BlockVector     *projection     = nullptr;
     StepCoefficients       step;
 
     std::tuple<CellData<dim, 1>, CellData<dim, 2>> workspace; // of one cell

@@ -106,8 +106,9 @@ namespace seiche
     bool                         direct    = false;
     bool                         rescue    = false; ///< direct after failure
     bool                         closed    = false; ///< p up to a constant
-    BlockPreconditioner<dim>     preconditioner;
-    BlockVector                  scaled;
+    const typename GridState<dim>::Vector *closed_weights = nullptr;
+    BlockPreconditioner<dim>               preconditioner;
+    BlockVector                            scaled;
   };
 } // namespace seiche
 

@@ -4,6 +4,7 @@
 
 #include <seiche/solve/assembler.h>
 #include <seiche/solve/linear_solver.h>
+#include <seiche/solve/residual_projection.h>
 
 #include <string>
 
@@ -43,11 +44,12 @@ namespace seiche
   public:
     using BlockVector = typename GridState<dim>::BlockVector;
 
-    Newton(const NewtonParameters &parameters,
-           const double            largest_forcing,
-           Assembler<dim>         &assembler,
-           BlockMatrix<dim>       &matrix,
-           LinearSolver<dim>      &solver);
+    Newton(const NewtonParameters  &parameters,
+           const double             largest_forcing,
+           Assembler<dim>          &assembler,
+           ResidualProjection<dim> &projection,
+           BlockMatrix<dim>        &matrix,
+           LinearSolver<dim>       &solver);
 
     /// Solve for state.solution, starting at its value; the assembler has
     /// been begun for the step. state.reaction belongs to the solution.
@@ -73,12 +75,13 @@ namespace seiche
     double
     move(GridState<dim> &state, const double before);
 
-    const NewtonParameters parameters;
-    const double           largest_forcing;
-    Assembler<dim>        &assembler;
-    BlockMatrix<dim>      &matrix;
-    LinearSolver<dim>     &solver;
-    BlockVector            residual, update;
+    const NewtonParameters   parameters;
+    const double             largest_forcing;
+    Assembler<dim>          &assembler;
+    ResidualProjection<dim> &projection;
+    BlockMatrix<dim>        &matrix;
+    LinearSolver<dim>       &solver;
+    BlockVector              residual, update;
   };
 } // namespace seiche
 

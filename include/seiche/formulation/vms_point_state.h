@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_formulation_vms_point_state_h
+#define seiche_formulation_vms_point_state_h
+
+#include <seiche/formulation/formulation.h>
+#include <seiche/formulation/point_kinematics.h>
+
+#include <algorithm>
+
+namespace seiche
+{
+  /// What a step recovers of a point's volume error at most [-]: drops far
+  /// off (J between 0.15 and 4 after a splash) would otherwise ask for an
+  /// increment that no step size makes small, and Newton fails.
+  constexpr double largest_recovery = 0.25;
+
+  /// Fields and subscales at one quadrature point (doc/theory.md, VMS).
+  template <int dim, int degree>
+  struct VMSPointState
+  {
+    /// r = -grad p alone: split orthogonal subscales in Newton's iteration.
+    const bool             is_split;
+    double                 volume_n, volume_t, rho_t;
+    double                 J_slope;       // J dphi/dJ at J_1
+    double                 constraint;    // g = phi(J_1) + p/kappa
+    double                 fine_pressure; // p~ = -tau2 (g - Pi g)
+    dealii::Tensor<1, dim> acceleration, pressure_gradient;
+    dealii::Tensor<1, dim> momentum_residual;         // r - Pi r
+    dealii::Tensor<1, dim> projected;                 // Pi r
+    dealii::Tensor<2, dim> velocity_gradient, stress; // S = s - (p + p~) I
+    dealii::Tensor<1, dim> stress_divergence;         // div s, zero for FE_Q(1)
+    dealii::Tensor<3, dim> curvature; // v_i,jk, for FE_Q(2) with viscosity
+
+    VMSPointState(const CellData<dim, degree>  &cell,
+                  PointKinematics<dim, degree> &point,
+                  const unsigned int            q,
+                  const MaterialConstants      &material,
+                  const Tau                    &tau,
+                  const bool                    splits)
+      : is_split(splits && cell.orthogonal)
+    {
+      const auto &quadrature = cell.quadrature;
+      // weights use the relaxed J, never the drifted one
+      double error =
+        cell.coefficients.volume_recovery * (quadrature.volume_ratio[q] - 1.);
+      if (std::isinf(material.bulk_modulus)) // else J carries the pressure
+        error = std::clamp(error, -largest_recovery, largest_recovery);
+      const double J_n = 1. + error;
+      volume_n         = J_n * quadrature.volume[q];
+      volume_t         = point.det_t * volume_n;
+      const double J_1 = point.det_1 * J_n;
+      J_slope          = material.volume_law.slope(J_1);
+      rho_t            = quadrature.mass[q] / volume_t;
+      acceleration     = point.value(cell.acceleration);
+
+      const double pressure = point.value(cell.pressure);
+      pressure_gradient     = point.gradient(cell.pressure, point.gradient_t);
+      constraint =
+        material.volume_law.strain(J_1) + pressure / material.bulk_modulus;
+      if (cell.coefficients.rate_constraint != 0.)
+        {
+          const dealii::Tensor<2, dim> l =
+            point.gradient(cell.rate_velocity, point.gradient_t);
+          constraint -=
+            cell.coefficients.rate_constraint * dealii::trace(l * l);
+        }
+      if (cell.coefficients.jerk_constraint != 0.)
+        {
+          const dealii::Tensor<2, dim> l =
+            point.gradient(cell.rate_velocity, point.gradient_t);
+          const dealii::Tensor<2, dim> grad_a =
+            point.gradient(cell.acceleration, point.gradient_t);
+          constraint -= cell.coefficients.jerk_constraint *
+                        dealii::trace(3. * l * grad_a - 2. * l * l * l);
+        }
+      fine_pressure     = -tau.continuity * constraint;
+      momentum_residual = -pressure_gradient;
+      if (!is_split)
+        momentum_residual += rho_t * (cell.body_force_at(q) - acceleration);
+
+      if (cell.coefficients.viscous && !material.law.is_inviscid())
+        {
+          velocity_gradient =
+            point.gradient(cell.rate_velocity, point.gradient_t);
+          stress = material.law.stress(velocity_gradient);
+          if constexpr (degree > 1)
+            if (!is_split)
+              add_second_derivatives(cell,
+                                     point,
+                                     q,
+                                     material.law.tangent_viscosity());
+        }
+      if (cell.orthogonal)
+        {
+          projected = point.value(cell.projected_momentum);
+          momentum_residual -= projected;
+          fine_pressure +=
+            tau.continuity * point.value(cell.projected_constraint);
+        }
+      for (unsigned int i = 0; i < dim; ++i)
+        stress[i][i] -= pressure + fine_pressure;
+    }
+
+    /// slope[k][b] = d(constraint)/d(u_kb) without the pressure's share:
+    /// J dphi/dJ div_1 du, less the derivative of the jerk term,
+    /// tr(M grad_t du), M = (3 grad a - 6 l^2)(c_r I - theta l)
+    /// + 3 l (C_a I - theta grad a) up to cyclic order.
+    void
+    constraint_slope(const CellData<dim, degree>        &cell,
+                     const PointKinematics<dim, degree> &point,
+                     double (&slope)[dim][CellData<dim, degree>::n_nodes]) const
+    {
+      constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
+      for (unsigned int k = 0; k < dim; ++k)
+        for (unsigned int b = 0; b < n_nodes; ++b)
+          slope[k][b] = J_slope * point.gradient_1[k][b];
+      const StepCoefficients &c = cell.coefficients;
+      if (c.jerk_constraint == 0.)
+        return;
+      const dealii::Tensor<2, dim> l =
+        point.gradient(cell.rate_velocity, point.gradient_t);
+      const dealii::Tensor<2, dim> grad_a =
+        point.gradient(cell.acceleration, point.gradient_t);
+      dealii::Tensor<2, dim> of_l = -c.theta * l, of_a = -c.theta * grad_a;
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          of_l[i][i] += c.rate;
+          of_a[i][i] += c.inertia;
+        }
+      const dealii::Tensor<2, dim> M =
+        c.jerk_constraint * ((3. * grad_a - 6. * l * l) * of_l + 3. * l * of_a);
+      for (unsigned int k = 0; k < dim; ++k)
+        for (unsigned int j = 0; j < dim; ++j)
+          for (unsigned int b = 0; b < n_nodes; ++b)
+            slope[k][b] -= M[j][k] * point.gradient_t[j][b];
+    }
+
+    /// div s_i = mu (v_i,jj + v_j,ij/3)
+    void
+    add_second_derivatives(const CellData<dim, degree>  &cell,
+                           PointKinematics<dim, degree> &point,
+                           const unsigned int            q,
+                           const double                  viscosity)
+    {
+      point.evaluate_second_derivatives(cell, q);
+      for (unsigned int j = 0; j < dim; ++j)
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            const dealii::Tensor<1, dim> v =
+              point.sum(cell.rate_velocity, point.second[j][k]);
+            for (unsigned int i = 0; i < dim; ++i)
+              curvature[i][j][k] = v[i];
+          }
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          stress_divergence[i] +=
+            viscosity * (curvature[i][j][j] + curvature[j][i][j] / 3.);
+      momentum_residual += stress_divergence;
+    }
+
+    /// d(div s)_i for du = N_b e_k, times @p factor, into
+    /// derivative[i][k][b].
+    void
+    stress_divergence_derivative(
+      const CellData<dim, degree>        &cell,
+      const PointKinematics<dim, degree> &point,
+      const double                        factor,
+      double (&derivative)[dim][dim][CellData<dim, degree>::n_nodes]) const
+    {
+      const double theta = cell.coefficients.theta;
+      const double rate  = cell.coefficients.rate;
+      const auto  &l     = velocity_gradient;
+      const auto  &v     = curvature;
+      const auto  &g     = point.gradient_t;
+      const auto  &h     = point.second;
+      for (unsigned int b = 0; b < CellData<dim, degree>::n_nodes; ++b)
+        {
+          double laplacian = 0.;
+          for (unsigned int j = 0; j < dim; ++j)
+            laplacian += h[j][j][b];
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int k = 0; k < dim; ++k)
+              {
+                double value =
+                  rate * h[k][i][b] / 3. - theta * l[i][k] * laplacian;
+                if (i == k)
+                  value += rate * laplacian;
+                for (unsigned int j = 0; j < dim; ++j)
+                  value -=
+                    theta * (2. * v[i][k][j] * g[j][b] +
+                             (l[j][k] * h[j][i][b] + v[j][k][i] * g[j][b] +
+                              v[j][j][k] * g[i][b]) /
+                               3.);
+                derivative[i][k][b] = factor * value;
+              }
+        }
+    }
+  };
+} // namespace seiche
+
+#endif

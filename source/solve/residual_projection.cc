@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/formulation/point_kinematics.h>
+#include <seiche/solve/residual_projection.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <deal.II/lac/solver_cg.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double       tolerance      = 1e-8; // of the right-hand side
+    constexpr unsigned int max_iterations = 500;
+
+    /// Multiplication with a diagonal, as deal.II's solvers want it.
+    template <typename BlockVector>
+    struct Diagonal
+    {
+      const BlockVector &values;
+
+      void
+      vmult(BlockVector &dst, const BlockVector &src) const
+      {
+        dst = src;
+        dst.zero_out_ghost_values();
+        for (unsigned int b = 0; b < dst.n_blocks(); ++b)
+          dst.block(b).scale(values.block(b));
+      }
+    };
+  } // namespace
+
+  template <int dim>
+  ResidualProjection<dim>::ResidualProjection(Assembler<dim>        &a,
+                                              const Quadrature<dim> &rule,
+                                              const Occupancy<dim>  &occupied)
+    : assembler(a)
+    , quadrature(rule)
+    , occupancy(occupied)
+    , parameters(a.formulation.stabilization)
+  {}
+
+  template <int dim>
+  void
+  ResidualProjection<dim>::begin(const GridState<dim> &state)
+  {
+    if (!assembler.formulation.has_pressure() || !parameters.is_orthogonal())
+      return;
+    projected.reinit(state.solution);
+    sums.reinit(state.solution);
+    projected.update_ghost_values();
+    assembler.set_projection(&projected);
+    make_diagonal();
+    project(state);
+  }
+
+  template <int dim>
+  bool
+  ResidualProjection<dim>::update(const GridState<dim> &state,
+                                  const unsigned int    iteration)
+  {
+    if (!assembler.formulation.has_pressure() || !parameters.is_orthogonal() ||
+        iteration > parameters.projection_updates)
+      return false;
+    project(state);
+    return true;
+  }
+
+  template <int dim>
+  void
+  ResidualProjection<dim>::project(const GridState<dim> &state)
+  {
+    assembler.projected_terms(state, sums);
+    projected.zero_out_ghost_values();
+    if (parameters.projects_lumped())
+      Diagonal<BlockVector>{inverse_diagonal}.vmult(projected, sums);
+    else
+      {
+        SolverControl         control(max_iterations,
+                              std::max(tolerance * sums.l2_norm(),
+                                       std::numeric_limits<double>::min()));
+        SolverCG<BlockVector> solver(control);
+        try
+          {
+            solver.solve(*this,
+                         projected,
+                         sums,
+                         Diagonal<BlockVector>{inverse_diagonal});
+          }
+        catch (const SolverControl::NoConvergence &)
+          {
+            throw NumericalError("the projection of the residuals did not "
+                                 "converge; set Formulation/Projection mass = "
+                                 "lumped.");
+          }
+      }
+    projected.update_ghost_values();
+  }
+
+  template <int dim>
+  void
+  ResidualProjection<dim>::make_diagonal()
+  {
+    inverse_diagonal.reinit(sums);
+    with_degree(occupancy.fe.degree, [&](const auto degree) {
+      constexpr unsigned int  k = decltype(degree)::value;
+      PointKinematics<dim, k> point;
+      CellQuadrature<dim>     points;
+      for (const unsigned int cell : occupancy.occupied_cells())
+        {
+          quadrature.get(cell, points);
+          double weights[PointKinematics<dim, k>::n_nodes] = {};
+          for (unsigned int q = 0; q < points.size; ++q)
+            {
+              point.shape(points.point(q), occupancy.locator.extent(cell));
+              for (unsigned int a = 0; a < point.n_nodes; ++a)
+                weights[a] += points.volume[q] * (parameters.projects_lumped() ?
+                                                    point.lumped(a) :
+                                                    point.N[a] * point.N[a]);
+            }
+          occupancy.condense(cell, weights);
+          for (unsigned int a = 0; a < point.n_nodes; ++a)
+            inverse_diagonal.block(1).local_element(
+              occupancy.cell_nodes(cell)[a]) += weights[a];
+        }
+    });
+    inverse_diagonal.block(1).compress(VectorOperation::add);
+    for (unsigned int i = 0; i < inverse_diagonal.block(1).locally_owned_size();
+         ++i)
+      {
+        double &value = inverse_diagonal.block(1).local_element(i);
+        value         = value > 0. ? 1. / value : 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          inverse_diagonal.block(0).local_element(dim * i + c) = value;
+      }
+  }
+
+  template <int dim>
+  void
+  ResidualProjection<dim>::vmult(BlockVector &dst, const BlockVector &src) const
+  {
+    src.update_ghost_values();
+    dst = 0.;
+    dst.zero_out_ghost_values();
+    with_degree(occupancy.fe.degree, [&](const auto degree) {
+      this->template add_products<degree>(dst, src);
+    });
+    dst.compress(VectorOperation::add);
+    src.zero_out_ghost_values();
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  ResidualProjection<dim>::add_products(BlockVector       &dst,
+                                        const BlockVector &src) const
+  {
+    constexpr unsigned int       n_nodes = CellData<dim, degree>::n_nodes;
+    PointKinematics<dim, degree> point;
+    CellQuadrature<dim>          points;
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        quadrature.get(cell, points);
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        double values[dim + 1][n_nodes], products[dim + 1][n_nodes];
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            for (unsigned int c = 0; c < dim; ++c)
+              values[c][a] = src.block(0).local_element(dim * nodes[a] + c);
+            values[dim][a] = src.block(1).local_element(nodes[a]);
+          }
+        for (unsigned int c = 0; c <= dim; ++c)
+          {
+            occupancy.expand(cell, values[c]);
+            std::fill_n(products[c], n_nodes, 0.);
+          }
+        for (unsigned int q = 0; q < points.size; ++q)
+          {
+            point.shape(points.point(q), occupancy.locator.extent(cell));
+            for (unsigned int c = 0; c <= dim; ++c)
+              {
+                const double value = points.volume[q] * point.value(values[c]);
+                for (unsigned int a = 0; a < n_nodes; ++a)
+                  products[c][a] += value * point.N[a];
+              }
+          }
+        for (unsigned int c = 0; c <= dim; ++c)
+          occupancy.condense(cell, products[c]);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            for (unsigned int c = 0; c < dim; ++c)
+              dst.block(0).local_element(dim * nodes[a] + c) += products[c][a];
+            dst.block(1).local_element(nodes[a]) += products[dim][a];
+          }
+      }
+  }
+
+  template class ResidualProjection<2>;
+  template class ResidualProjection<3>;
+} // namespace seiche
