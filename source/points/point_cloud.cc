@@ -121,6 +121,19 @@ namespace seiche
 
   template <int dim>
   void
+  PointCloud<dim>::remove(const std::vector<std::size_t> &dropped)
+  {
+    if (dropped.empty())
+      return;
+    for (const std::size_t point : dropped)
+      point_cells[point] = invalid;
+    sort();
+  }
+
+
+
+  template <int dim>
+  void
   PointCloud<dim>::locate()
   {
     std::vector<std::size_t> emigrants;

@@ -277,7 +277,7 @@ namespace seiche
 
   template <int dim>
   void
-  MassAndEnergy<dim>::finish(const StatisticsTable & /*statistics*/,
+  MassAndEnergy<dim>::finish(const StatisticsTable  &statistics,
                              nlohmann::ordered_json &summary)
   {
     if (!started)
@@ -312,9 +312,16 @@ namespace seiche
     ledger["energy_final"]   = number_or_null(now.energy());
     ledger["energy_max_relative_gain"] =
       number_or_null(moves ? energy_rise / start.energy() : undefined);
-    ledger["lost_points"] = static_cast<std::int64_t>(start.points) -
-                            static_cast<std::int64_t>(now.points) -
-                            static_cast<std::int64_t>(now.outflow_points);
+    // since the start: made by splitting, gone by merging (PointControl)
+    const auto count = [&statistics](const std::string &name) {
+      return statistics.has(name) && !statistics.column(name).empty() ?
+               static_cast<std::int64_t>(statistics.column(name).back()) :
+               0;
+    };
+    ledger["lost_points"] =
+      static_cast<std::int64_t>(start.points) + count("points split [-]") -
+      count("points merged [-]") - static_cast<std::int64_t>(now.points) -
+      static_cast<std::int64_t>(now.outflow_points);
     ledger["outflow_points"]         = now.outflow_points;
     ledger["overfull_fraction"]      = number_or_null(overfull_maximum);
     ledger["overfull_fraction_mean"] = number_or_null(overfull_sum / n_rows);

@@ -32,6 +32,7 @@ namespace seiche
     for (auto &body : bodies)
       body.add_parameters(prm);
     seeding.add_parameters(prm);
+    point_control.add_parameters(prm);
     formulation.add_parameters(prm);
     quadrature.add_parameters(prm);
     free_surface.add_parameters(prm);
@@ -68,6 +69,13 @@ namespace seiche
     seeding.check(input_file);
     time.check(input_file);
     transfer.check(input_file, formulation.degree, seeding.per_direction);
+    unsigned int per_cell = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      per_cell *= seeding.per_direction;
+    point_control.check(input_file,
+                        Transfer<dim>::columns(transfer).count(
+                          PointColumn::velocity_gradient) > 0,
+                        per_cell);
     if (bodies.empty())
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "

@@ -31,6 +31,7 @@ namespace seiche
     , mesh_adaptation(grid, locator, points)
     , occupancy(locator, scene.formulation.degree)
     , fill(occupancy, scene.quadrature.gauss_in_full_cells())
+    , point_control(scene.point_control, points, occupancy, fill)
     , quadrature(make_quadrature(scene.quadrature,
                                  points,
                                  fill,
@@ -187,6 +188,11 @@ namespace seiche
       occupancy.update(points);
       fill.update(points);
     }
+    if (time_stepper.steps() > 0)
+      {
+        const TimerTree::Scope scope(timer, "point control");
+        point_control.update();
+      }
     {
       const TimerTree::Scope scope(timer, "pattern");
       matrix.reinit(fill);
@@ -348,6 +354,8 @@ namespace seiche
     statistics.set("pressure_time [s]", view.pressure_time);
     statistics.set("newton_iterations", last.iterations);
     statistics.set("krylov_iterations", last.krylov_iterations);
+    for (const auto &[name, value] : point_control.account())
+      statistics.set(name, value);
     scene.postprocessors.execute(view, statistics);
     statistics.end_row();
     if (step > 0)
@@ -375,6 +383,8 @@ namespace seiche
     summary["rejected_steps"]     = time_stepper.rejected();
     summary["newton_iterations"]  = newton_total;
     summary["krylov_iterations"]  = krylov_total;
+    for (const auto &[name, value] : point_control.account())
+      summary["point control"][name] = value;
     scene.postprocessors.finish(statistics, summary);
     report.finish(summary, timer);
   }

@@ -40,6 +40,8 @@ namespace seiche
     archive("unknowns", unknowns_max);
     archive.section("time", [&]() { time_stepper.save_or_load(archive); });
     archive.section("points", [&]() { points.save_or_load(archive); });
+    archive.section("point control",
+                    [&]() { point_control.save_or_load(archive); });
     archive.section("statistics", [&]() { statistics.save_or_load(archive); });
     archive.section("report", [&]() { report.save_or_load(archive); });
     scene.postprocessors.save_or_load(archive);

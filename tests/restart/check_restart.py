@@ -21,6 +21,7 @@ from compare_ranks import TOLERANCE, difference, read_columns  # noqa: E402
 SCENE_2D = str(HERE / "dam_break_2d.prm")
 SCENE_3D = str(HERE / "column_3d.prm")
 SCENE_ADAPTIVE = str(HERE / "adaptive_2d.prm")
+SCENE_POINTS = str(HERE / "cavity_2d.prm")
 # leave nothing to the solver's choices
 TIGHT = ["Solver/Newton tolerance = 1e-12",
          "Solver/Newton absolute tolerance = 1e-13",
@@ -80,6 +81,15 @@ def exact_3d(make, folder, ranks):
 
 def exact_adaptive(make, folder, ranks):
     exact(make(SCENE_ADAPTIVE, ranks), folder, ["statistics.csv"], ["0.13"])
+
+
+def exact_points(make, folder, ranks):
+    """Points are shifted, split and merged."""
+    exact(make(SCENE_POINTS, ranks), folder, ["statistics.csv"], ["0.47"])
+    account = summary(f"{folder}/whole")["point control"]
+    assert account == summary(f"{folder}/parts")["point control"], account
+    assert account["points split [-]"] > 0, account
+    assert account["points merged [-]"] > 0, account
 
 
 def other_ranks(make, folder, _):
@@ -199,6 +209,8 @@ def stopped(make, folder, ranks):
 CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_3d": (exact_3d, 1), "exact_3d_2_ranks": (exact_3d, 2),
          "exact_adaptive_2_ranks": (exact_adaptive, 2),
+         "exact_points": (exact_points, 1),
+         "exact_points_2_ranks": (exact_points, 2),
          "other_ranks": (other_ranks, 1), "damaged": (damaged, 1),
          "refused": (refused, 1), "stopped": (stopped, 1),
          "stopped_2_ranks": (stopped, 2)}

@@ -20,6 +20,7 @@ import traceback
 
 PRM = pathlib.Path(__file__).resolve().parents[2] / "prm"
 sys.path.insert(0, str(PRM / "verification"))
+import cavity_profiles  # noqa: E402
 import wave_fit  # noqa: E402
 
 
@@ -199,6 +200,12 @@ SCENES = {
         {"velocity_l2": 0.0072, "pressure_l2": 0.032,
          "velocity_points": 0.0048,
          "ledger energy_max_relative_gain": 0.0003}),
+    "stress_stretched_lattice_shifted": (
+        "stress/stretched_lattice",
+        ["Points/Shifting sweeps = 1"],
+        {"velocity_l2": 0.0075, "pressure_l2": 0.033,
+         "velocity_points": 0.0057, "ledger overfull_fraction": 0.027,
+         "ledger energy_max_relative_gain": 0.0003}),
     "stress_tau2_above_kappa": (
         "stress/tau2_above_kappa",
         [],
@@ -351,8 +358,21 @@ def time_order_vortex(runner):
     assert second[0] <= 0.25 * first[0] and second[1] <= 0.35 * first[1]
 
 
+def lid_driven_cavity(runner):
+    """Centre-line velocities against Ghia et al., coarse."""
+    output, summary = runner.run(
+        "verification/lid_driven_cavity",
+        cells(16) + ["Time/Step = 0.03125", "Time/End time = 12"])
+    errors = cavity_profiles.errors(output, 100)
+    print(errors)
+    assert summary["ledger"]["lost_points"] == 0
+    assert errors["u_max"] <= 0.02 and errors["v_max"] <= 0.02, errors
+    assert errors["range"] <= 0.01, errors
+
+
 OTHERS = {"standing_wave": standing_wave,
-          "time_order_vortex": time_order_vortex}
+          "time_order_vortex": time_order_vortex,
+          "lid_driven_cavity": lid_driven_cavity}
 
 
 def main():

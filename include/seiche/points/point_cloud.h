@@ -100,6 +100,11 @@ namespace seiche
            const double                  mass,
            const double                  initial_volume);
 
+    /// Drop points (numbers of this rank, ascending); the others keep their
+    /// order. n_global() counts them from the next locate() on. Local.
+    void
+    remove(const std::vector<std::size_t> &dropped);
+
     /// Find the cell of every point, remove those that left through an open
     /// side (counted), send those in cells of other ranks, sort by
     /// (cell, id). NumericalError with id, position, speed and advice for a

@@ -5,6 +5,7 @@
 #include <seiche/constitutive/newtonian_fluid.h>
 #include <seiche/formulation/formulation.h>
 #include <seiche/formulation/ghost_penalty.h>
+#include <seiche/grid/point_control.h>
 #include <seiche/grid/time_scheme.h>
 #include <seiche/parameters/input_file.h>
 #include <seiche/points/seeding.h>
@@ -52,6 +53,7 @@ namespace seiche
     FluidParameters                       fluid;
     std::vector<FluidBodyParameters<dim>> bodies;
     SeedingParameters                     seeding;
+    PointControlParameters                point_control;
     FormulationParameters                 formulation;
     QuadratureParameters                  quadrature;
     FreeSurfaceParameters                 free_surface;

@@ -3,6 +3,7 @@
 #define seiche_simulation_simulation_h
 
 #include <seiche/grid/mesh_adaptation.h>
+#include <seiche/grid/point_control.h>
 #include <seiche/grid/wall_conditions.h>
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
@@ -123,6 +124,7 @@ namespace seiche
     MeshAdaptation<dim>                     mesh_adaptation;
     Occupancy<dim>                          occupancy;
     Fill<dim>                               fill;
+    PointControl<dim>                       point_control;
     const std::unique_ptr<Quadrature<dim>>  quadrature;
     const BodyForce<dim>                    body_force;
     const WallVelocity<dim>                 wall_velocity;

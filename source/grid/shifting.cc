@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/shifting.h>
+#include <seiche/utilities/shape_functions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double longest_shift = 0.25; // of the cell, each direction
+    constexpr double cell_share    = 0.2;  // of the cell fill's gradient
+  }                                        // namespace
+
+  template <int dim>
+  Shifting<dim>::Shifting(const Fill<dim> &grid_fill,
+                          const double     shifting_strength)
+    : fill(grid_fill)
+    , occupancy(grid_fill.occupancy)
+    , strength(shifting_strength)
+  {}
+
+  template <int dim>
+  void
+  Shifting<dim>::mark_surface()
+  {
+    inside.reinit(occupancy.scalar_partitioner());
+    for (unsigned int i = 0; i < occupancy.n_local_nodes(); ++i)
+      inside.local_element(i) = 1.;
+    // every cell at a node of an own cell is known here, at least as a ghost
+    for (unsigned int cell = 0; cell < occupancy.locator.n_cells(); ++cell)
+      if (fill.is_cut(cell))
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          inside.local_element(occupancy.cell_nodes(cell)[a]) = 0.;
+  }
+
+  template <int dim>
+  void
+  Shifting<dim>::respect_walls(const unsigned int cell,
+                               const Point<dim>  &unit,
+                               Tensor<1, dim>    &delta) const
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const bool up = delta[d] > 0.;
+        if (occupancy.locator.boundary_id(cell, 2 * d + up) ==
+            numbers::internal_face_boundary_id)
+          continue;
+        const double length   = std::abs(delta[d]);
+        const double distance = std::max(0., up ? 1. - unit[d] : unit[d]);
+        if (length > 0.)
+          delta[d] *= distance / (distance + length);
+      }
+  }
+
+  template <int dim>
+  void
+  Shifting<dim>::sweep(PointCloud<dim> &points)
+  {
+    using Shape                       = TensorShape<dim, 1>;
+    constexpr unsigned int n_vertices = Shape::n_nodes;
+    const auto            &locator    = occupancy.locator;
+    mark_surface();
+    cell_fill.assign(locator.n_cells(), 0.);
+    for (const unsigned int cell : occupancy.occupied_cells())
+      cell_fill[cell] = fill.cell_fill(cell);
+    locator.exchange_to_ghosts(cell_fill);
+
+    double N[n_vertices], dN[n_vertices][dim];
+    double f[HangingNodes<dim>::max_nodes], s[HangingNodes<dim>::max_nodes];
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        if (fill.is_cut(cell))
+          continue;
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          {
+            f[a] = fill.nodal_fill().local_element(nodes[a]);
+            s[a] = inside.local_element(nodes[a]);
+          }
+        occupancy.expand(cell, f);
+        occupancy.expand(cell, s);
+
+        // of the cell fill, across the lower and the upper face
+        double jump[dim][2] = {};
+        for (unsigned int d = 0; d < dim; ++d)
+          for (const unsigned int side : {0, 1})
+            {
+              const unsigned int other = locator.neighbor(cell, 2 * d + side);
+              if (other != locator.invalid)
+                jump[d][side] =
+                  (side == 0 ? -1. : 1.) * (cell_fill[other] - cell_fill[cell]);
+            }
+
+        for (std::size_t p = points.first_point(cell);
+             p < points.first_point(cell + 1);
+             ++p)
+          {
+            const Point<dim> unit = locator.to_unit(cell, points.position(p));
+            Shape::evaluate(unit, N, dN);
+            double         weight = 0.;
+            Tensor<1, dim> delta;
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              {
+                const unsigned int node = occupancy.vertex_node(v);
+                weight += N[v] * s[node];
+                for (unsigned int d = 0; d < dim; ++d)
+                  delta[d] -= strength * dN[v][d] * f[node];
+              }
+            for (unsigned int d = 0; d < dim; ++d)
+              delta[d] -= strength * cell_share *
+                          ((1. - unit[d]) * jump[d][0] + unit[d] * jump[d][1]);
+            for (unsigned int d = 0; d < dim; ++d)
+              delta[d] =
+                std::clamp(weight * delta[d], -longest_shift, longest_shift);
+            respect_walls(cell, unit, delta);
+
+            Point<dim> place = points.position(p);
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                delta[d] *= locator.extent(cell)[d];
+                place[d] += delta[d];
+              }
+            // around the edge of an obstacle
+            if (!locator.holds(cell, place) &&
+                locator.find(place, cell) == CellLocator<dim>::invalid)
+              continue;
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                points.data(PointColumn::position, c)[p] = place[c];
+                double &velocity = points.data(PointColumn::velocity, c)[p];
+                if (points.has(PointColumn::velocity_gradient))
+                  for (unsigned int d = 0; d < dim; ++d)
+                    velocity +=
+                      delta[d] * points.data(PointColumn::velocity_gradient,
+                                             c * dim + d)[p];
+              }
+          }
+      }
+  }
+
+  template class Shifting<2>;
+  template class Shifting<3>;
+} // namespace seiche
