@@ -176,6 +176,31 @@ namespace seiche
                           communicator);
     if (Utilities::MPI::min(inside ? 1 : 0, communicator) == 0)
       number();
+    fixed.resize(n_local_nodes());
+    for (unsigned int node = 0; node < fixed.size(); ++node)
+      fixed[node] = wall_components(node);
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::set_released(const unsigned int node,
+                               const unsigned int component,
+                               const bool         released)
+  {
+    const unsigned int bit = wall_components(node) & (1u << component);
+    fixed[node]            = released ? fixed[node] & ~bit : fixed[node] | bit;
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::share_fixed()
+  {
+    Vector mask(node_partitioner);
+    for (unsigned int node = 0; node < n_own; ++node)
+      mask.local_element(node) = fixed[node];
+    mask.update_ghost_values();
+    for (unsigned int node = n_own; node < fixed.size(); ++node)
+      fixed[node] = static_cast<unsigned int>(mask.local_element(node));
   }
 
   template <int dim>

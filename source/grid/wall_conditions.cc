@@ -4,11 +4,12 @@
 namespace seiche
 {
   template <int dim>
-  WallConditions<dim>::WallConditions(const WallVelocity<dim> &wall_velocity,
-                                      const Occupancy<dim>    &grid_occupancy)
-    : velocity(wall_velocity)
+  WallConditions<dim>::WallConditions(
+    const WallVelocity<dim> &velocity_of_walls,
+    const Occupancy<dim>    &grid_occupancy)
+    : wall_velocity(velocity_of_walls)
     , occupancy(grid_occupancy)
-    , moving(wall_velocity.any())
+    , moving(velocity_of_walls.any())
   {}
 
   template <int dim>
@@ -24,11 +25,33 @@ namespace seiche
           if (wall < 2 * dim && wall / 2 == component)
             return 0.;
           const double v =
-            velocity.value(wall, occupancy.node_position(node), time)[c];
+            wall_velocity.value(wall, occupancy.node_position(node), time)[c];
           if (std::abs(v) < std::abs(slowest))
             slowest = v;
         }
     return slowest;
+  }
+
+  template <int dim>
+  double
+  WallConditions<dim>::velocity(const unsigned int i, const double time) const
+  {
+    return moving ? component(i / dim, i % dim, time) : 0.;
+  }
+
+  template <int dim>
+  double
+  WallConditions<dim>::displacement(
+    const unsigned int                     i,
+    const GridState<dim>                  &state,
+    const StepCoefficients                &coefficients,
+    const typename GridState<dim>::Vector &rate_offset) const
+  {
+    const double theta = coefficients.theta;
+    const double v0    = state.velocity_start.local_element(i);
+    const double v1    = velocity(i, state.time + state.dt);
+    return (theta * v1 + (1. - theta) * v0 - rate_offset.local_element(i)) /
+           coefficients.rate;
   }
 
   template <int dim>
@@ -37,8 +60,7 @@ namespace seiche
   {
     state.velocity_start = state.velocity_n;
     occupancy.for_each_fixed([&](const unsigned int i) {
-      state.velocity_start.local_element(i) =
-        moving ? component(i / dim, i % dim, state.time) : 0.;
+      state.velocity_start.local_element(i) = velocity(i, state.time);
     });
     state.velocity_start.update_ghost_values();
   }
@@ -52,13 +74,9 @@ namespace seiche
   {
     if (!moving)
       return;
-    const double theta = coefficients.theta;
     occupancy.for_each_fixed([&](const unsigned int i) {
-      const double v0 = state.velocity_start.local_element(i);
-      const double v1 = component(i / dim, i % dim, state.time + state.dt);
       state.displacement().local_element(i) =
-        (theta * v1 + (1. - theta) * v0 - rate_offset.local_element(i)) /
-        coefficients.rate;
+        displacement(i, state, coefficients, rate_offset);
     });
     state.solution.update_ghost_values();
   }

@@ -68,6 +68,12 @@ namespace seiche
     seeding.check(input_file);
     time.check(input_file);
     transfer.check(input_file, formulation.degree, seeding.per_direction);
+    input_file.require(!grid.any_unilateral() ||
+                         time_scheme.scheme == "generalized midpoint",
+                       "Time/Scheme",
+                       "unilateral walls need generalized midpoint: the other "
+                       "schemes carry an acceleration that jumps where the "
+                       "fluid meets a wall");
     if (bodies.empty())
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "

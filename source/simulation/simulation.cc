@@ -40,6 +40,12 @@ namespace seiche
     , body_force(scene.body_force, scene.input)
     , wall_velocity(scene.grid, scene.input)
     , wall_conditions(wall_velocity, occupancy)
+    , wall_contact(wall_conditions,
+                   occupancy,
+                   body_force,
+                   scene.fluid.density,
+                   formulation->has_pressure() &&
+                     std::isinf(scene.fluid.bulk_modulus))
     , transfer(scene.transfer, fill, scene.fluid.density)
     , matrix(occupancy, formulation->has_pressure())
     , assembler(*formulation,
@@ -57,7 +63,8 @@ namespace seiche
              scene.linear_solver.tolerance,
              assembler,
              matrix,
-             linear_solver)
+             linear_solver,
+             wall_contact)
     , time_stepper(scene.time)
     , statistics(directory + "/statistics.csv",
                  Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -209,29 +216,15 @@ namespace seiche
   {
     last = NewtonResult();
     linear_solver.begin_step();
-    wall_conditions.set_start_velocity(state);
-    if (formulation->has_pressure() &&
-        (scene.time.projects_each_step() || time_stepper.steps() == 0))
-      {
-        const TimerTree::Scope scope(timer, "velocity projection");
-        const LinearResult     result =
-          velocity_projection.apply(state, step_coefficients());
-        last.krylov_iterations += result.iterations;
-        if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
-          return "the velocity projection did not converge";
-        if (!result.converged)
-          report.warn("a velocity projection stopped early",
-                      fmt::format("t = {:.6g} s: {:.1e} of the violation is "
-                                  "left",
-                                  state.time,
-                                  result.reduction));
-      }
+    if (const std::string failure = find_start_velocity(); !failure.empty())
+      return failure;
     {
       const TimerTree::Scope scope(timer, "newton");
       time_scheme->predict(state);
       time_scheme->offsets(state, state.dt, inertia_offset, rate_offset);
       const StepCoefficients coefficients = step_coefficients();
       wall_conditions.set_displacement(state, coefficients, rate_offset);
+      wall_contact.begin_iteration(coefficients, rate_offset);
       assembler.begin(coefficients, state.time, inertia_offset, rate_offset);
       const NewtonResult result = newton.solve(state);
       last.iterations           = result.iterations;
@@ -243,6 +236,38 @@ namespace seiche
     time_scheme->finish(state);
     return transfer.check(state, points)
       .problem(scene.time.maximum_displacement);
+  }
+
+  template <int dim>
+  std::string
+  Simulation<dim>::find_start_velocity()
+  {
+    wall_contact.begin(state);
+    wall_conditions.set_start_velocity(state);
+    if (!formulation->has_pressure() ||
+        !(scene.time.projects_each_step() || time_stepper.steps() == 0))
+      return "";
+    const TimerTree::Scope scope(timer, "velocity projection");
+    while (true)
+      {
+        const LinearResult result =
+          velocity_projection.apply(state,
+                                    step_coefficients(),
+                                    wall_contact.any());
+        last.krylov_iterations += result.iterations;
+        if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
+          return "the velocity projection did not converge";
+        if (!result.converged)
+          report.warn("a velocity projection stopped early",
+                      fmt::format("t = {:.6g} s: {:.1e} of the violation is "
+                                  "left",
+                                  state.time,
+                                  result.reduction));
+        if (!wall_contact.correct_start(state))
+          return "";
+        linear_solver.begin_step();
+        wall_conditions.set_start_velocity(state);
+      }
   }
 
   template <int dim>

@@ -165,6 +165,7 @@ namespace seiche
     });
     residual.compress(VectorOperation::add);
 
+    state.reaction = 0.; // components may have been released
     occupancy.for_each_fixed([&](const unsigned int i) {
       double &value                   = residual.block(0).local_element(i);
       state.reaction.local_element(i) = value;

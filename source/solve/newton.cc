@@ -46,12 +46,14 @@ namespace seiche
                       const double            forcing,
                       Assembler<dim>         &a,
                       BlockMatrix<dim>       &m,
-                      LinearSolver<dim>      &s)
+                      LinearSolver<dim>      &s,
+                      WallContact<dim>       &c)
     : parameters(p)
     , largest_forcing(forcing)
     , assembler(a)
     , matrix(m)
     , solver(s)
+    , contact(c)
   {}
 
   template <int dim>
@@ -126,8 +128,19 @@ namespace seiche
     Norms  now     = first;
     double forcing = largest_forcing;
     // not (a > b): a residual that is not a number has not converged
-    while (!(now.momentum <= target.momentum && now.volume <= target.volume))
+    const auto is_small = [&]() {
+      return now.momentum <= target.momentum && now.volume <= target.volume;
+    };
+    while (true)
       {
+        if ((result.iterations > 0 || is_small()) && contact.correct(state))
+          {
+            solver.begin_step();
+            assembler.residual(state, residual);
+            now = norms(residual);
+          }
+        if (is_small())
+          break;
         if (result.iterations == parameters.maximum_iterations ||
             !std::isfinite(now.momentum + now.volume))
           {

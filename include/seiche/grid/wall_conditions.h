@@ -36,14 +36,25 @@ namespace seiche
                      const StepCoefficients                &coefficients,
                      const typename GridState<dim>::Vector &rate_offset) const;
 
+    /// The walls' [m/s] of component i = dim*node + c of an own node on them.
+    double
+    velocity(const unsigned int i, const double time) const;
+
+    /// Displacement [m] of set_displacement() for one component.
+    double
+    displacement(const unsigned int                     i,
+                 const GridState<dim>                  &state,
+                 const StepCoefficients                &coefficients,
+                 const typename GridState<dim>::Vector &rate_offset) const;
+
   private:
-    /// Of an own node's fixed component [m/s].
+    /// Of an own node's component that walls fix [m/s].
     double
     component(const unsigned int node,
               const unsigned int component,
               const double       time) const;
 
-    const WallVelocity<dim> &velocity;
+    const WallVelocity<dim> &wall_velocity;
     const Occupancy<dim>    &occupancy;
     const bool               moving;
   };

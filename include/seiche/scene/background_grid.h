@@ -26,9 +26,10 @@ namespace seiche
   /// What a wall does to the displacement of the fluid that touches it.
   enum class WallCondition
   {
-    slip,    ///< normal component fixed
-    no_slip, ///< all components fixed
-    open     ///< nothing fixed; points that cross it leave as outflow
+    slip,       ///< normal component fixed
+    unilateral, ///< the same, but the fluid may leave the wall
+    no_slip,    ///< all components fixed
+    open        ///< nothing fixed; points that cross it leave as outflow
   };
 
   /**
@@ -63,6 +64,10 @@ namespace seiche
     void
     check(const InputFile &input);
 
+    /// True if the fluid may leave some wall.
+    bool
+    any_unilateral() const;
+
     /// Text and path of the entry with a wall's velocity, by boundary id.
     std::string
     wall_velocity_text(const unsigned int id) const;
@@ -86,6 +91,7 @@ namespace seiche
     std::array<std::string, dim>     cells_text;
     std::array<std::string, 2 * dim> walls_text;
     std::array<std::string, 2 * dim> velocities_text;
+    std::string                      contact = "sticking";
     std::string                      lower_text, upper_text;
     struct ObstacleText
     {

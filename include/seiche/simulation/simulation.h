@@ -3,7 +3,7 @@
 #define seiche_simulation_simulation_h
 
 #include <seiche/grid/mesh_adaptation.h>
-#include <seiche/grid/wall_conditions.h>
+#include <seiche/grid/wall_contact.h>
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/run_report.h>
@@ -77,6 +77,11 @@ namespace seiche
     std::string
     try_step();
 
+    /// Start velocity of a step that satisfies the walls and, if it is to, the
+    /// constraint; empty, or why not.
+    std::string
+    find_start_velocity();
+
     /// Of a step of size state.dt.
     StepCoefficients
     step_coefficients() const;
@@ -127,6 +132,7 @@ namespace seiche
     const BodyForce<dim>                    body_force;
     const WallVelocity<dim>                 wall_velocity;
     const WallConditions<dim>               wall_conditions;
+    WallContact<dim>                        wall_contact;
     const Transfer<dim>                     transfer;
     GridState<dim>                          state;
     BlockMatrix<dim>                        matrix;
