@@ -29,20 +29,28 @@ namespace seiche
     dof_handler.distribute_dofs(fe);
     hanging_nodes.reinit(dof_handler, locator);
 
-    smallest = std::numeric_limits<double>::max();
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      for (unsigned int d = 0; d < dim; ++d)
-        smallest = std::min(smallest, locator.extent(cell)[d]);
-    smallest = Utilities::MPI::min(smallest, triangulation.get_communicator());
-
     number_cells();
-    collect_positions();
+    update_places();
     collect_walls();
-    collect_volumes();
 
     occupied_flag.assign(locator.n_cells(), 0);
     active_flag.assign(locator.n_cells(), 0);
     is_numbered = false;
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::update_places()
+  {
+    smallest = std::numeric_limits<double>::max();
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      for (unsigned int d = 0; d < dim; ++d)
+        smallest = std::min(smallest, locator.extent(cell)[d]);
+    smallest =
+      Utilities::MPI::min(smallest,
+                          locator.grid.triangulation.get_communicator());
+    collect_positions();
+    collect_volumes();
   }
 
   template <int dim>

@@ -6,10 +6,12 @@ namespace seiche
   template <int dim>
   WallConditions<dim>::WallConditions(
     const WallVelocity<dim> &velocity_of_walls,
+    const WallMotion<dim>   &motion_of_sides,
     const Occupancy<dim>    &grid_occupancy)
     : wall_velocity(velocity_of_walls)
+    , wall_motion(motion_of_sides)
     , occupancy(grid_occupancy)
-    , moving(velocity_of_walls.any())
+    , moving(velocity_of_walls.any() || motion_of_sides.any())
   {}
 
   template <int dim>
@@ -22,8 +24,6 @@ namespace seiche
     for (const auto &[wall, c] : occupancy.walls_at(node))
       if (c == component)
         {
-          if (wall < 2 * dim && wall / 2 == component)
-            return 0.;
           const double v =
             wall_velocity.value(wall, occupancy.node_position(node), time)[c];
           if (std::abs(v) < std::abs(slowest))
@@ -33,10 +33,28 @@ namespace seiche
   }
 
   template <int dim>
-  double
-  WallConditions<dim>::velocity(const unsigned int i, const double time) const
+  unsigned int
+  WallConditions<dim>::side(const unsigned int node,
+                            const unsigned int component) const
   {
-    return moving ? component(i / dim, i % dim, time) : 0.;
+    for (const auto &[wall, c] : occupancy.walls_at(node))
+      if (c == component && wall < 2 * dim && wall / 2 == component)
+        return wall;
+    return dealii::numbers::invalid_unsigned_int;
+  }
+
+  template <int dim>
+  double
+  WallConditions<dim>::velocity(const unsigned int i,
+                                const double       time,
+                                const double       dt) const
+  {
+    if (!moving)
+      return 0.;
+    const unsigned int decides = side(i / dim, i % dim);
+    return decides == dealii::numbers::invalid_unsigned_int ?
+             component(i / dim, i % dim, time) :
+             wall_motion.velocity(decides, time, dt);
   }
 
   template <int dim>
@@ -47,9 +65,19 @@ namespace seiche
     const StepCoefficients                &coefficients,
     const typename GridState<dim>::Vector &rate_offset) const
   {
+    const double       end = state.time + state.dt;
+    const unsigned int decides =
+      moving ? side(i / dim, i % dim) : dealii::numbers::invalid_unsigned_int;
     const double theta = coefficients.theta;
     const double v0    = state.velocity_start.local_element(i);
-    const double v1    = velocity(i, state.time + state.dt);
+    // the grid line's own way: no point may be left behind a piston
+    if (decides != dealii::numbers::invalid_unsigned_int &&
+        wall_motion.moves(decides))
+      return wall_motion.displacement(decides, end) -
+             wall_motion.displacement(decides, state.time) +
+             (1. - theta) / coefficients.rate *
+               (v0 - velocity(i, state.time, state.dt));
+    const double v1 = velocity(i, end, state.dt);
     return (theta * v1 + (1. - theta) * v0 - rate_offset.local_element(i)) /
            coefficients.rate;
   }
@@ -60,7 +88,7 @@ namespace seiche
   {
     state.velocity_start = state.velocity_n;
     occupancy.for_each_fixed([&](const unsigned int i) {
-      state.velocity_start.local_element(i) = velocity(i, state.time);
+      state.velocity_start.local_element(i) = velocity(i, state.time, state.dt);
     });
     state.velocity_start.update_ghost_values();
   }

@@ -51,7 +51,6 @@ namespace seiche
   void
   WallContact<dim>::collect()
   {
-    generation = occupancy.generation();
     // [own node][component]: least extent beside the wall, sides with fluid
     std::vector<std::array<double, dim>>       extent(occupancy.n_own_nodes());
     std::vector<std::array<unsigned int, dim>> sides(occupancy.n_own_nodes());
@@ -101,8 +100,7 @@ namespace seiche
     projections = 0;
     if (!active)
       return;
-    if (generation != occupancy.generation())
-      collect();
+    collect();
     for (Contact &contact : contacts)
       {
         const double mass  = state.mass.local_element(contact.node);
@@ -178,12 +176,12 @@ namespace seiche
         const double force =
           contact.inward * (state.reaction.local_element(i) + stopping) +
           contact.pressing;
-        changed =
-          change(contact,
-                 force,
-                 contact.inward * (v - conditions.velocity(i, state.time)) *
-                   state.dt) ||
-          changed;
+        changed = change(contact,
+                         force,
+                         contact.inward *
+                           (v - conditions.velocity(i, state.time, state.dt)) *
+                           state.dt) ||
+                  changed;
       }
     return agree(changed);
   }

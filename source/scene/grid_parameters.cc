@@ -119,6 +119,14 @@ namespace seiche
                         "sticks to it; open: fluid may leave the domain.",
                         dealii::Patterns::Selection(
                           "slip|unilateral|no-slip|open"));
+    for (unsigned int id = 0; id < 2 * dim; ++id)
+      prm.add_parameter(side_entry<dim>(id) + " displacement",
+                        displacements_text[id],
+                        "Motion of the wall along its normal, as of a piston: "
+                        "an expression of t, positive along the coordinate, 0 "
+                        "at t = 0. The grid is stretched up to the next "
+                        "obstacle or the opposite side; empty: at rest. [m]",
+                        anything);
     prm.add_parameter("Contact",
                       contact,
                       "Of all slip walls and obstacles. sticking: the fluid "
@@ -354,6 +362,24 @@ namespace seiche
     return id < 2 * dim ?
              "Walls/" + side_entry<dim>(id) + " velocity" :
              "Obstacle " + obstacles_text[id - 2 * dim].name + "/Velocity";
+  }
+
+
+
+  template <int dim>
+  const std::string &
+  GridParameters<dim>::wall_displacement_text(const unsigned int side) const
+  {
+    return displacements_text[side];
+  }
+
+
+
+  template <int dim>
+  std::string
+  GridParameters<dim>::wall_displacement_path(const unsigned int side) const
+  {
+    return "Walls/" + side_entry<dim>(side) + " displacement";
   }
 
 

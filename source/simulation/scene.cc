@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/scene/wall_motion.h>
 #include <seiche/scene/wall_velocity.h>
 #include <seiche/simulation/scene.h>
 #include <seiche/utilities/exceptions.h>
@@ -63,17 +64,18 @@ namespace seiche
   {
     grid.check(input_file);
     (void)WallVelocity<dim>(grid, input_file);
+    const WallMotion<dim> wall_motion(grid, input_file, time.end_time);
     body_force.check(input_file);
     fluid.check(input_file);
     seeding.check(input_file);
     time.check(input_file);
     transfer.check(input_file, formulation.degree, seeding.per_direction);
-    input_file.require(!grid.any_unilateral() ||
+    input_file.require(!(grid.any_unilateral() || wall_motion.any()) ||
                          time_scheme.scheme == "generalized midpoint",
                        "Time/Scheme",
-                       "unilateral walls need generalized midpoint: the other "
-                       "schemes carry an acceleration that jumps where the "
-                       "fluid meets a wall");
+                       "unilateral walls, and walls with a displacement, need "
+                       "generalized midpoint: the other schemes carry an "
+                       "acceleration that jumps where the fluid meets a wall");
     if (bodies.empty())
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "

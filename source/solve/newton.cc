@@ -135,7 +135,6 @@ namespace seiche
       {
         if ((result.iterations > 0 || is_small()) && contact.correct(state))
           {
-            solver.begin_step();
             assembler.residual(state, residual);
             now = norms(residual);
           }

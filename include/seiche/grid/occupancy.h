@@ -47,6 +47,10 @@ namespace seiche
     void
     reinit();
 
+    /// After the locator's grid lines have moved. Collective.
+    void
+    update_places();
+
     /// Find occupied cells; renumber if a point is outside the active cells.
     /// Collective.
     void

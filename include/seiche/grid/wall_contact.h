@@ -80,7 +80,7 @@ namespace seiche
       unsigned int releases; ///< in this solve
     };
 
-    /// For a new numbering of the nodes.
+    /// Contacts of the nodes as they are numbered, and lie, in this step.
     void
     collect();
 
@@ -110,7 +110,6 @@ namespace seiche
     const bool                 needs_surface;
     const bool                 exists;
     bool                       active      = false; ///< in this step
-    unsigned int               generation  = 0;     ///< of the numbering
     unsigned int               projections = 0;     ///< of this attempt
     std::vector<Contact>       contacts;
     const StepCoefficients    *coefficients = nullptr;

@@ -74,6 +74,12 @@ namespace seiche
     std::string
     wall_velocity_path(const unsigned int id) const;
 
+    /// The same of the displacement of a side.
+    const std::string &
+    wall_displacement_text(const unsigned int side) const;
+    std::string
+    wall_displacement_path(const unsigned int side) const;
+
     /// The whole box.
     dealii::BoundingBox<dim>
     domain() const;
@@ -91,6 +97,7 @@ namespace seiche
     std::array<std::string, dim>     cells_text;
     std::array<std::string, 2 * dim> walls_text;
     std::array<std::string, 2 * dim> velocities_text;
+    std::array<std::string, 2 * dim> displacements_text;
     std::string                      contact = "sticking";
     std::string                      lower_text, upper_text;
     struct ObstacleText

@@ -95,6 +95,14 @@ namespace seiche
     void
     finish();
 
+    /// The grid to where the walls are now. Collective.
+    void
+    move_grid();
+
+    /// Cells that sides of the domain move by in a step of size @p dt.
+    double
+    wall_way(const double dt) const;
+
     /// Largest speed over the cell edge [1/s], all ranks.
     double
     speed_per_cell() const;
@@ -119,6 +127,7 @@ namespace seiche
     TimerTree        &timer;
     const Checkpoint *start; ///< null: from the scene
 
+    const WallMotion<dim>                   wall_motion;
     BackgroundGrid<dim>                     grid;
     CellLocator<dim>                        locator;
     const std::unique_ptr<TimeScheme<dim>>  time_scheme;
