@@ -92,6 +92,32 @@ def sway(t, length, depth, amplitude, omega):
     return eta, momentum
 
 
+def wave_maker(t, x, length, depth, stroke, omega):
+    """Linear elevation at x in a tank whose wall x = 0 moves as stroke/2 (1 -
+    cos(omega t)) from t = 0 on, and the force over the density that the water puts
+    on this wall (to positive x), at rest left out. Potential: the flow to uniform
+    rise, d/dt displacement ((z + depth)^2 - (x - length)^2)/(2 length), and modes
+    of the tank."""
+    acceleration = stroke / 2 * omega**2 * np.cos(omega * t)
+    rise = stroke / 2 * (1 - np.cos(omega * t)) * depth / length
+    eta = rise.copy()
+    # of -d(potential)/dt: flow of the rise less its mean at the surface, rise
+    mean = depth**2 / (2 * length) - length / 6
+    pressure = acceleration * (depth * mean + depth * length / 2 - depth**3
+                               / (6 * length)) + GRAVITY * rise * depth
+    for n in range(1, 800):
+        k = n * np.pi / length
+        s2 = GRAVITY * k * np.tanh(k * depth)
+        load = s2 / (GRAVITY * length * k**2) * stroke * omega**2
+        load /= s2 - omega**2
+        mode = load * (np.cos(omega * t) - np.cos(np.sqrt(s2) * t))
+        eta += mode * np.cos(k * x)
+        # rate of the mode's potential: -g mode - coefficient * acceleration
+        rate = -GRAVITY * mode + 2 / (length * k**2) * acceleration
+        pressure -= rate * np.tanh(k * depth) / k
+    return eta, -pressure
+
+
 def channel(t, y, force, width, nu):
     """Speed between no-slip walls y = 0 and y = width, constant force from rest."""
     u = force / (2 * nu) * y * (width - y) * np.ones_like(t)
@@ -134,6 +160,11 @@ def tables():
     eta, momentum = sway(t, 1.73, 0.6, 0.002, 2 * np.pi / 1.8)
     yield ("sway_sloshing", "t [s],depth at the left wall [m],momentum [kg m/s]",
            [t, 0.6 + eta, 1000 * momentum])
+    t = np.linspace(0, 6, 601)
+    near, force = wave_maker(t, 1, 4, 0.5, 0.01, 2 * np.pi / 1.2)
+    far, _ = wave_maker(t, 2, 4, 0.5, 0.01, 2 * np.pi / 1.2)
+    yield ("wave_maker", "t [s],level x = 1 m [m],level x = 2 m [m],force [N]",
+           [t, 0.5 + near, 0.5 + far, 1000 * force - 1226.25])
     t = np.linspace(0, 0.5, 101)
     yield ("poiseuille_startup", "t [s],speed y = 0.5 [m/s],speed y = 0.25 [m/s]",
            [t, channel(t, 0.5, 8.0, 1.0, 1.0), channel(t, 0.25, 8.0, 1.0, 1.0)])

@@ -16,6 +16,7 @@ namespace seiche
     constexpr double inner_needs_fill      = 0.3;
     constexpr double surface_weight_begins = 0.7;
     constexpr double surface_weight_range  = 0.25;
+    constexpr double detached_below        = 0.5;
 
     double
     rounded(const double fill)
@@ -83,6 +84,25 @@ namespace seiche
   }
 
   template <int dim>
+  bool
+  Fill<dim>::is_detached(const unsigned int cell, const double *at_nodes) const
+  {
+    const auto &locator = occupancy.locator;
+    for (const unsigned int face : GeometryInfo<dim>::face_indices())
+      {
+        const types::boundary_id wall = locator.boundary_id(cell, face);
+        if (wall == numbers::internal_face_boundary_id ||
+            locator.grid.wall_condition(wall) != WallCondition::unilateral)
+          continue;
+        for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+          if (((v >> (face / 2)) & 1u) == face % 2 &&
+              at_nodes[occupancy.vertex_node(v)] < detached_below)
+            return true;
+      }
+    return false;
+  }
+
+  template <int dim>
   void
   Fill<dim>::classify()
   {
@@ -92,17 +112,18 @@ namespace seiche
     for (const unsigned int cell : occupancy.occupied_cells())
       {
         const auto neighbors = occupancy.locator.vertex_neighbors(cell);
+        double     at_nodes[HangingNodes<dim>::max_nodes];
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          at_nodes[a] = node_fill.local_element(nodes[a]);
+        occupancy.expand(cell, at_nodes);
         const bool is_at_surface =
           std::any_of(neighbors.begin(),
                       neighbors.end(),
                       [&](const unsigned int c) {
                         return !occupancy.is_occupied(c);
-                      });
-        double              at_nodes[HangingNodes<dim>::max_nodes];
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          at_nodes[a] = node_fill.local_element(nodes[a]);
-        occupancy.expand(cell, at_nodes);
+                      }) ||
+          is_detached(cell, at_nodes);
         double least = std::numeric_limits<double>::max();
         for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
           least = std::min(least, at_nodes[occupancy.vertex_node(v)]);

@@ -29,20 +29,28 @@ namespace seiche
     dof_handler.distribute_dofs(fe);
     hanging_nodes.reinit(dof_handler, locator);
 
-    smallest = std::numeric_limits<double>::max();
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      for (unsigned int d = 0; d < dim; ++d)
-        smallest = std::min(smallest, locator.extent(cell)[d]);
-    smallest = Utilities::MPI::min(smallest, triangulation.get_communicator());
-
     number_cells();
-    collect_positions();
+    update_places();
     collect_walls();
-    collect_volumes();
 
     occupied_flag.assign(locator.n_cells(), 0);
     active_flag.assign(locator.n_cells(), 0);
     is_numbered = false;
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::update_places()
+  {
+    smallest = std::numeric_limits<double>::max();
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      for (unsigned int d = 0; d < dim; ++d)
+        smallest = std::min(smallest, locator.extent(cell)[d]);
+    smallest =
+      Utilities::MPI::min(smallest,
+                          locator.grid.triangulation.get_communicator());
+    collect_positions();
+    collect_volumes();
   }
 
   template <int dim>
@@ -176,6 +184,31 @@ namespace seiche
                           communicator);
     if (Utilities::MPI::min(inside ? 1 : 0, communicator) == 0)
       number();
+    fixed.resize(n_local_nodes());
+    for (unsigned int node = 0; node < fixed.size(); ++node)
+      fixed[node] = wall_components(node);
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::set_released(const unsigned int node,
+                               const unsigned int component,
+                               const bool         released)
+  {
+    const unsigned int bit = wall_components(node) & (1u << component);
+    fixed[node]            = released ? fixed[node] & ~bit : fixed[node] | bit;
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::share_fixed()
+  {
+    Vector mask(node_partitioner);
+    for (unsigned int node = 0; node < n_own; ++node)
+      mask.local_element(node) = fixed[node];
+    mask.update_ghost_values();
+    for (unsigned int node = n_own; node < fixed.size(); ++node)
+      fixed[node] = static_cast<unsigned int>(mask.local_element(node));
   }
 
   template <int dim>

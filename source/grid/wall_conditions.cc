@@ -4,11 +4,14 @@
 namespace seiche
 {
   template <int dim>
-  WallConditions<dim>::WallConditions(const WallVelocity<dim> &wall_velocity,
-                                      const Occupancy<dim>    &grid_occupancy)
-    : velocity(wall_velocity)
+  WallConditions<dim>::WallConditions(
+    const WallVelocity<dim> &velocity_of_walls,
+    const WallMotion<dim>   &motion_of_sides,
+    const Occupancy<dim>    &grid_occupancy)
+    : wall_velocity(velocity_of_walls)
+    , wall_motion(motion_of_sides)
     , occupancy(grid_occupancy)
-    , moving(wall_velocity.any())
+    , moving(velocity_of_walls.any() || motion_of_sides.any())
   {}
 
   template <int dim>
@@ -21,14 +24,62 @@ namespace seiche
     for (const auto &[wall, c] : occupancy.walls_at(node))
       if (c == component)
         {
-          if (wall < 2 * dim && wall / 2 == component)
-            return 0.;
           const double v =
-            velocity.value(wall, occupancy.node_position(node), time)[c];
+            wall_velocity.value(wall, occupancy.node_position(node), time)[c];
           if (std::abs(v) < std::abs(slowest))
             slowest = v;
         }
     return slowest;
+  }
+
+  template <int dim>
+  unsigned int
+  WallConditions<dim>::side(const unsigned int node,
+                            const unsigned int component) const
+  {
+    for (const auto &[wall, c] : occupancy.walls_at(node))
+      if (c == component && wall < 2 * dim && wall / 2 == component)
+        return wall;
+    return dealii::numbers::invalid_unsigned_int;
+  }
+
+  template <int dim>
+  double
+  WallConditions<dim>::velocity(const unsigned int i,
+                                const double       time,
+                                const double       dt) const
+  {
+    if (!moving)
+      return 0.;
+    const unsigned int decides = side(i / dim, i % dim);
+    return decides == dealii::numbers::invalid_unsigned_int ?
+             component(i / dim, i % dim, time) :
+             wall_motion.velocity(decides, time, dt);
+  }
+
+  template <int dim>
+  double
+  WallConditions<dim>::displacement(
+    const unsigned int                     i,
+    const GridState<dim>                  &state,
+    const StepCoefficients                &coefficients,
+    const typename GridState<dim>::Vector &rate_offset) const
+  {
+    const double       end = state.time + state.dt;
+    const unsigned int decides =
+      moving ? side(i / dim, i % dim) : dealii::numbers::invalid_unsigned_int;
+    const double theta = coefficients.theta;
+    const double v0    = state.velocity_start.local_element(i);
+    // the grid line's own way: no point may be left behind a piston
+    if (decides != dealii::numbers::invalid_unsigned_int &&
+        wall_motion.moves(decides))
+      return wall_motion.displacement(decides, end) -
+             wall_motion.displacement(decides, state.time) +
+             (1. - theta) / coefficients.rate *
+               (v0 - velocity(i, state.time, state.dt));
+    const double v1 = velocity(i, end, state.dt);
+    return (theta * v1 + (1. - theta) * v0 - rate_offset.local_element(i)) /
+           coefficients.rate;
   }
 
   template <int dim>
@@ -37,8 +88,7 @@ namespace seiche
   {
     state.velocity_start = state.velocity_n;
     occupancy.for_each_fixed([&](const unsigned int i) {
-      state.velocity_start.local_element(i) =
-        moving ? component(i / dim, i % dim, state.time) : 0.;
+      state.velocity_start.local_element(i) = velocity(i, state.time, state.dt);
     });
     state.velocity_start.update_ghost_values();
   }
@@ -52,13 +102,9 @@ namespace seiche
   {
     if (!moving)
       return;
-    const double theta = coefficients.theta;
     occupancy.for_each_fixed([&](const unsigned int i) {
-      const double v0 = state.velocity_start.local_element(i);
-      const double v1 = component(i / dim, i % dim, state.time + state.dt);
       state.displacement().local_element(i) =
-        (theta * v1 + (1. - theta) * v0 - rate_offset.local_element(i)) /
-        coefficients.rate;
+        displacement(i, state, coefficients, rate_offset);
     });
     state.solution.update_ghost_values();
   }

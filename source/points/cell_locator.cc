@@ -77,31 +77,74 @@ namespace seiche
 
 
   template <int dim>
+  typename CellLocator<dim>::Lines
+  CellLocator<dim>::make_line(const unsigned int direction,
+                              const LinePlace   &place) const
+  {
+    Lines line;
+    for (const auto &segment : grid.segments(direction))
+      {
+        const double       begin = place(direction, segment.begin);
+        const double       end   = place(direction, segment.end);
+        const unsigned int n     = segment.cells << obstacle_shift;
+        const double       size  = (end - begin) / n;
+        line.segments.push_back(
+          {end, begin, 1. / size, segment.first << obstacle_shift});
+        for (unsigned int i = 0; i < n; ++i)
+          line.places.push_back(begin + i * size);
+      }
+    line.places.push_back(line.segments.back().end);
+    return line;
+  }
+
+
+
+  template <int dim>
   void
   CellLocator<dim>::make_lines()
   {
-    finest_level   = grid.finest_level();
-    obstacle_shift = finest_level - grid.lattice_level();
+    finest_level    = grid.finest_level();
+    obstacle_shift  = finest_level - grid.lattice_level();
+    const auto stay = [](const unsigned int, const double place) {
+      return place;
+    };
     for (unsigned int d = 0; d < dim; ++d)
       {
-        Lines &line = lines[d];
-        line.segments.clear();
-        line.places.clear();
-        for (const auto &segment : grid.segments(d))
-          {
-            const unsigned int n    = segment.cells << obstacle_shift;
-            const double       size = (segment.end - segment.begin) / n;
-            line.segments.push_back({segment.end,
-                                     segment.begin,
-                                     1. / size,
-                                     segment.first << obstacle_shift});
-            for (unsigned int i = 0; i < n; ++i)
-              line.places.push_back(segment.begin + i * size);
-          }
-        line.places.push_back(grid.segments(d).back().end);
-        AssertThrow(line.places.size() < (1u << (dim == 2 ? 31 : 21)),
+        reference[d] = make_line(d, stay);
+        lines[d]     = line_place ? make_line(d, line_place) : reference[d];
+        AssertThrow(lines[d].places.size() < (1u << (dim == 2 ? 31 : 21)),
                     dealii::ExcMessage("Too many cells in one direction."));
       }
+  }
+
+
+
+  template <int dim>
+  void
+  CellLocator<dim>::move(const LinePlace &place)
+  {
+    line_place = place;
+    make_lines();
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      set_box(cell);
+    find_reaches();
+  }
+
+
+
+  template <int dim>
+  void
+  CellLocator<dim>::set_box(const unsigned int cell)
+  {
+    double measure = 1.;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        lower[cell][d] = lines[d].places[lattice_lower[cell][d]];
+        upper[cell][d] = lines[d].places[lattice_upper[cell][d]];
+        measure *= upper[cell][d] - lower[cell][d];
+      }
+    extents[cell]  = upper[cell] - lower[cell];
+    measures[cell] = measure;
   }
 
 
@@ -113,29 +156,21 @@ namespace seiche
   {
     const unsigned int size = 1u << (finest_level - cell->level());
     Lattice            begin, end;
-    lattice_position(cell->center(), begin);
     for (unsigned int d = 0; d < dim; ++d)
       {
         // a coarse cell's centre lies in its second half
-        begin[d] = begin[d] / size * size;
+        begin[d] = reference[d].index(cell->center()[d]) / size * size;
         end[d]   = begin[d] + size;
       }
-    dealii::Point<dim> low, high;
-    double             measure = 1.;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        low[d]  = lines[d].places[begin[d]];
-        high[d] = lines[d].places[end[d]];
-        measure *= high[d] - low[d];
-      }
     by_active_index[cell->active_cell_index()] = lower.size();
-    lower.push_back(low);
-    upper.push_back(high);
-    extents.push_back(high - low);
-    measures.push_back(measure);
-    owners.push_back(cell->subdomain_id());
+    lower.emplace_back();
+    upper.emplace_back();
+    extents.emplace_back();
+    measures.emplace_back();
     lattice_lower.push_back(begin);
     lattice_upper.push_back(end);
+    set_box(lower.size() - 1);
+    owners.push_back(cell->subdomain_id());
     iterators.push_back(cell);
     boundary_ids.emplace_back();
     for (const unsigned int face : cell->face_indices())

@@ -52,7 +52,6 @@ namespace seiche
 
     vertex_neighbor_begin.assign(1, 0);
     vertex_neighbor_list.clear();
-    reaches.assign(extents.begin(), extents.begin() + n_owned());
     for (unsigned int cell = 0; cell < n_owned(); ++cell)
       {
         for (unsigned int v = 0; v < n_vertices; ++v)
@@ -69,10 +68,21 @@ namespace seiche
                                                vertex_neighbor_list.end()),
                                    vertex_neighbor_list.end());
         vertex_neighbor_begin.push_back(vertex_neighbor_list.size());
-        for (const unsigned int other : vertex_neighbors(cell))
-          for (unsigned int d = 0; d < dim; ++d)
-            reaches[cell][d] = std::min(reaches[cell][d], extents[other][d]);
       }
+    find_reaches();
+  }
+
+
+
+  template <int dim>
+  void
+  CellLocator<dim>::find_reaches()
+  {
+    reaches.assign(extents.begin(), extents.begin() + n_owned());
+    for (unsigned int cell = 0; cell < n_owned(); ++cell)
+      for (const unsigned int other : vertex_neighbors(cell))
+        for (unsigned int d = 0; d < dim; ++d)
+          reaches[cell][d] = std::min(reaches[cell][d], extents[other][d]);
   }
 
 

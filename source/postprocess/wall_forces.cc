@@ -171,7 +171,7 @@ namespace seiche
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         {
-          if (!((occupancy.fixed_components(node) >> c) & 1u))
+          if (!((occupancy.wall_components(node) >> c) & 1u))
             continue;
           std::vector<unsigned int> fixing;
           for (unsigned int id = 0; id < names.size(); ++id)

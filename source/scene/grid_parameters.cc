@@ -33,6 +33,8 @@ namespace seiche
     {
       if (text == "slip")
         return WallCondition::slip;
+      if (text == "unilateral")
+        return WallCondition::unilateral;
       if (text == "no-slip")
         return WallCondition::no_slip;
       if (text == "open")
@@ -112,9 +114,25 @@ namespace seiche
     for (unsigned int id = 0; id < 2 * dim; ++id)
       prm.add_parameter(side_entry<dim>(id),
                         walls_text[id],
-                        "slip: no flow through the wall; no-slip: the fluid "
-                        "sticks to it; open: fluid may leave.",
-                        dealii::Patterns::Selection("slip|no-slip|open"));
+                        "slip: no flow to or from the wall; unilateral: the "
+                        "same, but the fluid may leave it; no-slip: the fluid "
+                        "sticks to it; open: fluid may leave the domain.",
+                        dealii::Patterns::Selection(
+                          "slip|unilateral|no-slip|open"));
+    for (unsigned int id = 0; id < 2 * dim; ++id)
+      prm.add_parameter(side_entry<dim>(id) + " displacement",
+                        displacements_text[id],
+                        "Motion of the wall along its normal, as of a piston: "
+                        "an expression of t, positive along the coordinate, 0 "
+                        "at t = 0. The grid is stretched up to the next "
+                        "obstacle or the opposite side; empty: at rest. [m]",
+                        anything);
+    prm.add_parameter("Contact",
+                      contact,
+                      "Of all slip walls and obstacles. sticking: the fluid "
+                      "does not leave them; unilateral: as if each had the "
+                      "condition unilateral.",
+                      dealii::Patterns::Selection("sticking|unilateral"));
     for (unsigned int id = 0; id < 2 * dim; ++id)
       prm.add_parameter(side_entry<dim>(id) + " velocity",
                         velocities_text[id],
@@ -141,9 +159,11 @@ namespace seiche
                           /*has_to_be_set=*/true);
         prm.add_parameter("Condition",
                           obstacle.condition,
-                          "slip: no flow through the faces; no-slip: the "
-                          "fluid sticks to them.",
-                          dealii::Patterns::Selection("slip|no-slip"));
+                          "slip: no flow to or from the faces; unilateral: "
+                          "the same, but the fluid may leave them; no-slip: "
+                          "the fluid sticks to them.",
+                          dealii::Patterns::Selection(
+                            "slip|unilateral|no-slip"));
         prm.add_parameter("Velocity",
                           obstacle.velocity,
                           "Velocity of the faces of a no-slip obstacle along "
@@ -178,6 +198,16 @@ namespace seiche
     obstacles.resize(obstacles_text.size());
     for (unsigned int i = 0; i < obstacles.size(); ++i)
       check_obstacle(input, i);
+    if (contact == "unilateral")
+      {
+        const auto let_go = [](WallCondition &condition) {
+          if (condition == WallCondition::slip)
+            condition = WallCondition::unilateral;
+        };
+        std::for_each(walls.begin(), walls.end(), let_go);
+        for (Obstacle &obstacle : obstacles)
+          let_go(obstacle.condition);
+      }
     check_size(input);
     refinement.check(input, *this);
   }
@@ -301,6 +331,21 @@ namespace seiche
 
 
   template <int dim>
+  bool
+  GridParameters<dim>::any_unilateral() const
+  {
+    return std::count(walls.begin(), walls.end(), WallCondition::unilateral) >
+             0 ||
+           std::any_of(obstacles.begin(),
+                       obstacles.end(),
+                       [](const Obstacle &obstacle) {
+                         return obstacle.condition == WallCondition::unilateral;
+                       });
+  }
+
+
+
+  template <int dim>
   std::string
   GridParameters<dim>::wall_velocity_text(const unsigned int id) const
   {
@@ -317,6 +362,24 @@ namespace seiche
     return id < 2 * dim ?
              "Walls/" + side_entry<dim>(id) + " velocity" :
              "Obstacle " + obstacles_text[id - 2 * dim].name + "/Velocity";
+  }
+
+
+
+  template <int dim>
+  const std::string &
+  GridParameters<dim>::wall_displacement_text(const unsigned int side) const
+  {
+    return displacements_text[side];
+  }
+
+
+
+  template <int dim>
+  std::string
+  GridParameters<dim>::wall_displacement_path(const unsigned int side) const
+  {
+    return "Walls/" + side_entry<dim>(side) + " displacement";
   }
 
 

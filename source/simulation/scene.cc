@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/scene/wall_motion.h>
 #include <seiche/scene/wall_velocity.h>
 #include <seiche/simulation/scene.h>
 #include <seiche/utilities/exceptions.h>
@@ -64,6 +65,7 @@ namespace seiche
   {
     grid.check(input_file);
     (void)WallVelocity<dim>(grid, input_file);
+    const WallMotion<dim> wall_motion(grid, input_file, time.end_time);
     body_force.check(input_file);
     fluid.check(input_file);
     seeding.check(input_file);
@@ -76,6 +78,12 @@ namespace seiche
                         Transfer<dim>::columns(transfer).count(
                           PointColumn::velocity_gradient) > 0,
                         per_cell);
+    input_file.require(!(grid.any_unilateral() || wall_motion.any()) ||
+                         time_scheme.scheme == "generalized midpoint",
+                       "Time/Scheme",
+                       "unilateral walls, and walls with a displacement, need "
+                       "generalized midpoint: the other schemes carry an "
+                       "acceleration that jumps where the fluid meets a wall");
     if (bodies.empty())
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "

@@ -10,6 +10,13 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Of the largest way of a point in a step, what a wall may move: the grid
+    /// goes with it, and the sum of both counts.
+    constexpr double largest_wall_way = 0.5;
+  } // namespace
+
   template <int dim>
   Simulation<dim>::Simulation(Scene<dim>        &run_scene,
                               const std::string &output_directory,
@@ -22,6 +29,7 @@ namespace seiche
     , report(run_report)
     , timer(run_timer)
     , start(checkpoint)
+    , wall_motion(scene.grid, scene.input, scene.time.end_time)
     , grid(scene.grid, communicator)
     , locator(grid)
     , time_scheme(make_time_scheme<dim>(scene.time_scheme))
@@ -40,7 +48,13 @@ namespace seiche
                                    std::isinf(scene.fluid.bulk_modulus)))
     , body_force(scene.body_force, scene.input)
     , wall_velocity(scene.grid, scene.input)
-    , wall_conditions(wall_velocity, occupancy)
+    , wall_conditions(wall_velocity, wall_motion, occupancy)
+    , wall_contact(wall_conditions,
+                   occupancy,
+                   body_force,
+                   scene.fluid.density,
+                   formulation->has_pressure() &&
+                     std::isinf(scene.fluid.bulk_modulus))
     , transfer(scene.transfer, fill, scene.fluid.density)
     , matrix(occupancy, formulation->has_pressure())
     , assembler(*formulation,
@@ -60,7 +74,8 @@ namespace seiche
              assembler,
              residual_projection,
              matrix,
-             linear_solver)
+             linear_solver,
+             wall_contact)
     , time_stepper(scene.time)
     , statistics(directory + "/statistics.csv",
                  Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -170,6 +185,7 @@ namespace seiche
   {
     {
       const TimerTree::Scope scope(timer, "locate");
+      move_grid();
       points.locate();
     }
     {
@@ -215,31 +231,20 @@ namespace seiche
   std::string
   Simulation<dim>::try_step()
   {
-    last = NewtonResult();
+    last             = NewtonResult();
+    const double way = wall_way(state.dt);
+    if (way > largest_wall_way * scene.time.maximum_displacement)
+      return fmt::format("a wall moves by {:.3g} cells", way);
     linear_solver.begin_step();
-    wall_conditions.set_start_velocity(state);
-    if (formulation->has_pressure() &&
-        (scene.time.projects_each_step() || time_stepper.steps() == 0))
-      {
-        const TimerTree::Scope scope(timer, "velocity projection");
-        const LinearResult     result =
-          velocity_projection.apply(state, step_coefficients());
-        last.krylov_iterations += result.iterations;
-        if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
-          return "the velocity projection did not converge";
-        if (!result.converged)
-          report.warn("a velocity projection stopped early",
-                      fmt::format("t = {:.6g} s: {:.1e} of the violation is "
-                                  "left",
-                                  state.time,
-                                  result.reduction));
-      }
+    if (const std::string failure = find_start_velocity(); !failure.empty())
+      return failure;
     {
       const TimerTree::Scope scope(timer, "newton");
       time_scheme->predict(state);
       time_scheme->offsets(state, state.dt, inertia_offset, rate_offset);
       const StepCoefficients coefficients = step_coefficients();
       wall_conditions.set_displacement(state, coefficients, rate_offset);
+      wall_contact.begin_iteration(coefficients, rate_offset);
       assembler.begin(coefficients, state.time, inertia_offset, rate_offset);
       const NewtonResult result = newton.solve(state);
       last.iterations           = result.iterations;
@@ -250,7 +255,38 @@ namespace seiche
     const TimerTree::Scope scope(timer, "acceptance");
     time_scheme->finish(state);
     return transfer.check(state, points)
-      .problem(scene.time.maximum_displacement);
+      .problem(scene.time.maximum_displacement - way);
+  }
+
+  template <int dim>
+  std::string
+  Simulation<dim>::find_start_velocity()
+  {
+    wall_contact.begin(state);
+    wall_conditions.set_start_velocity(state);
+    if (!formulation->has_pressure() ||
+        !(scene.time.projects_each_step() || time_stepper.steps() == 0))
+      return "";
+    const TimerTree::Scope scope(timer, "velocity projection");
+    while (true)
+      {
+        const LinearResult result =
+          velocity_projection.apply(state,
+                                    step_coefficients(),
+                                    wall_contact.any());
+        last.krylov_iterations += result.iterations;
+        if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
+          return "the velocity projection did not converge";
+        if (!result.converged)
+          report.warn("a velocity projection stopped early",
+                      fmt::format("t = {:.6g} s: {:.1e} of the violation is "
+                                  "left",
+                                  state.time,
+                                  result.reduction));
+        if (!wall_contact.correct_start(state))
+          return "";
+        wall_conditions.set_start_velocity(state);
+      }
   }
 
   template <int dim>
@@ -310,7 +346,37 @@ namespace seiche
         largest = std::max(largest,
                            std::abs(points.data(PointColumn::velocity, d)[p]) /
                              locator.extent(points.cells()[p])[d]);
+    largest = std::max(largest, wall_way(scene.time.step) / scene.time.step);
     return Utilities::MPI::max(largest, communicator);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::move_grid()
+  {
+    if (!wall_motion.any())
+      return;
+    const double time = time_stepper.time();
+    locator.move(
+      [this, time](const unsigned int direction, const double place) {
+        return wall_motion.line(direction, place, time);
+      });
+    occupancy.update_places();
+  }
+
+  template <int dim>
+  double
+  Simulation<dim>::wall_way(const double dt) const
+  {
+    const double t    = time_stepper.time();
+    double       most = 0.;
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      if (wall_motion.moves(side))
+        most = std::max(most,
+                        std::abs(wall_motion.displacement(side, t + dt) -
+                                 wall_motion.displacement(side, t)) /
+                          occupancy.smallest_extent());
+    return most;
   }
 
   template <int dim>

@@ -15,6 +15,15 @@ namespace seiche
     if (start == nullptr)
       return seed_bodies(
         scene.seeding, scene.bodies, scene.input, scene.fluid.density, points);
+    if (wall_motion.any())
+      {
+        double time = 0.;
+        start->state().section("time", [&]() { start->state()("time", time); });
+        locator.move(
+          [this, time](const unsigned int direction, const double place) {
+            return wall_motion.line(direction, place, time);
+          });
+      }
     start->insert_own_points(points);
     points.locate();
     if (points.n_global() != start->n_points())
@@ -55,6 +64,7 @@ namespace seiche
   {
     const TimerTree::Scope scope(timer, "checkpoint");
     // what has left the domain leaves now, so that each point lies in a cell
+    move_grid();
     points.locate();
     StateArchive archive;
     save_or_load(archive);

@@ -47,13 +47,15 @@ namespace seiche
                       Assembler<dim>          &a,
                       ResidualProjection<dim> &r,
                       BlockMatrix<dim>        &m,
-                      LinearSolver<dim>       &s)
+                      LinearSolver<dim>       &s,
+                      WallContact<dim>        &c)
     : parameters(p)
     , largest_forcing(forcing)
     , assembler(a)
     , projection(r)
     , matrix(m)
     , solver(s)
+    , contact(c)
   {}
 
   template <int dim>
@@ -129,8 +131,18 @@ namespace seiche
     Norms  now     = first;
     double forcing = largest_forcing;
     // not (a > b): a residual that is not a number has not converged
-    while (!(now.momentum <= target.momentum && now.volume <= target.volume))
+    const auto is_small = [&]() {
+      return now.momentum <= target.momentum && now.volume <= target.volume;
+    };
+    while (true)
       {
+        if ((result.iterations > 0 || is_small()) && contact.correct(state))
+          {
+            assembler.residual(state, residual);
+            now = norms(residual);
+          }
+        if (is_small())
+          break;
         if (result.iterations == parameters.maximum_iterations ||
             !std::isfinite(now.momentum + now.volume))
           {

@@ -9,6 +9,10 @@ namespace seiche
   {
     /// Newmark never forgets an error of the start.
     constexpr double start_tolerance = 1e-8;
+
+    /// Share of the solution at which the derivative of reactions is taken:
+    /// their error is about its square, round-off over it.
+    constexpr double reaction_share = 1e-5;
   } // namespace
 
   template <int dim>
@@ -60,9 +64,29 @@ namespace seiche
   }
 
   template <int dim>
+  void
+  VelocityProjection<dim>::find_reactions(GridState<dim>    &state,
+                                          const BlockVector &solution)
+  {
+    // rows of fixed components are not in the matrix
+    BlockVector residual(state.solution);
+    residual.zero_out_ghost_values();
+    state.solution = 0.;
+    state.solution.update_ghost_values();
+    assembler.residual(state, residual);
+    const Vector start(state.reaction);
+    state.solution.zero_out_ghost_values();
+    state.solution.equ(reaction_share, solution);
+    state.solution.update_ghost_values();
+    assembler.residual(state, residual);
+    state.reaction.sadd(1. / reaction_share, 1. - 1. / reaction_share, start);
+  }
+
+  template <int dim>
   LinearResult
   VelocityProjection<dim>::apply(GridState<dim>         &state,
-                                 const StepCoefficients &step)
+                                 const StepCoefficients &step,
+                                 const bool              with_reactions)
   {
     const double     dt = state.dt;
     StepCoefficients c;
@@ -89,6 +113,8 @@ namespace seiche
     guess.block(0) *= dt;
     const LinearResult result =
       solve(state, c, inertia_offset, state.velocity_start, guess, tolerance);
+    if (with_reactions)
+      find_reactions(state, guess);
     state.velocity_start.zero_out_ghost_values();
     state.velocity_start.equ(1. / dt, guess.block(0));
     state.velocity_start.update_ghost_values();

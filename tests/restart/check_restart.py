@@ -20,6 +20,7 @@ from compare_ranks import TOLERANCE, difference, read_columns  # noqa: E402
 
 SCENE_2D = str(HERE / "dam_break_2d.prm")
 SCENE_3D = str(HERE / "column_3d.prm")
+SCENE_PISTON = str(HERE / "piston_2d.prm")
 SCENE_ADAPTIVE = str(HERE / "adaptive_2d.prm")
 SCENE_POINTS = str(HERE / "cavity_2d.prm")
 # leave nothing to the solver's choices
@@ -73,6 +74,11 @@ def exact_2d(make, folder, ranks):
     totals = summary(f"{folder}/whole")
     assert totals["rejected_steps"] > 0, "the scene shall repeat a step"
     assert totals["ledger"]["outflow_points"] > 0, "no point has left"
+
+
+def exact_piston(make, folder, ranks):
+    exact(make(SCENE_PISTON, ranks), folder, ["statistics.csv"],
+          ["0.15", "0.25"])
 
 
 def exact_3d(make, folder, ranks):
@@ -207,6 +213,7 @@ def stopped(make, folder, ranks):
 
 
 CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
+         "exact_piston": (exact_piston, 1),
          "exact_3d": (exact_3d, 1), "exact_3d_2_ranks": (exact_3d, 2),
          "exact_adaptive_2_ranks": (exact_adaptive, 2),
          "exact_points": (exact_points, 1),

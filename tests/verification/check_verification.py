@@ -120,6 +120,10 @@ SCENES = {
         "verification/sway_sloshing",
         ["Points/Per cell and direction = 10"],
         {"elevation": 0.1, "momentum": 0.072}),
+    "wave_maker": (
+        "verification/wave_maker",
+        [],
+        {"elevation_near": 0.11, "elevation_far": 0.11, "force": 0.1}),
     "viscous_sheet": (
         "verification/viscous_sheet",
         [],

@@ -99,10 +99,16 @@ namespace seiche
   private:
     enum Flag : unsigned char
     {
-      cut    = 1, ///< occupied, and a vertex neighbour inside the domain is not
+      cut = 1,    ///< occupied, and a vertex neighbour inside the domain is
+                  ///< not, or the fluid has left a unilateral wall
       thin   = 2, ///< cut, and point volume below 0.7 of the cell
       sliver = 4  ///< weight below one, and point volume below 0.3
     };
+
+    /// True if a unilateral wall of the cell has little fluid beside it: it
+    /// has left the wall, and has a surface there. [nodes_per_cell()]
+    bool
+    is_detached(const unsigned int cell, const double *at_nodes) const;
 
     void
     classify();

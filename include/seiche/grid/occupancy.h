@@ -47,6 +47,10 @@ namespace seiche
     void
     reinit();
 
+    /// After the locator's grid lines have moved. Collective.
+    void
+    update_places();
+
     /// Find occupied cells; renumber if a point is outside the active cells.
     /// Collective.
     void
@@ -174,14 +178,33 @@ namespace seiche
       return vector_layout;
     }
 
-    /// Bit c is set if component c of the displacement is fixed by a wall.
+    /// Bit c is set if component c of the displacement is fixed by a wall, and
+    /// has not been released.
     unsigned int
     fixed_components(const unsigned int node) const
+    {
+      return fixed[node];
+    }
+
+    /// The same, released or not.
+    unsigned int
+    wall_components(const unsigned int node) const
     {
       return fixed_full[full_of_compact[node]];
     }
 
-    /// f(dim*node + component) for the components of own nodes that walls fix.
+    /// Release a component that a wall fixes, or fix it again: own nodes, until
+    /// the next update(). share_fixed() makes it known.
+    void
+    set_released(const unsigned int node,
+                 const unsigned int component,
+                 const bool         released);
+
+    /// Components of ghost nodes from their owners. Collective.
+    void
+    share_fixed();
+
+    /// f(dim*node + component) for the components of own nodes that are fixed.
     template <typename Function>
     void
     for_each_fixed(const Function &f) const
@@ -289,7 +312,8 @@ namespace seiche
     bool          open_wall    = false;
 
     // compact numbering
-    bool                      is_numbered          = false;
+    bool                      is_numbered = false;
+    std::vector<unsigned int> fixed; // fixed_components() by local node
     unsigned int              numbering_generation = 0;
     unsigned int              n_own                = 0;
     std::uint64_t             global_occupied      = 0;

@@ -3,16 +3,18 @@
 #define seiche_grid_wall_conditions_h
 
 #include <seiche/grid/time_scheme.h>
+#include <seiche/scene/wall_motion.h>
 #include <seiche/scene/wall_velocity.h>
 
 namespace seiche
 {
   /**
    * @brief Prescribes the components of velocity and displacement that walls
-   * fix: zero, or the velocity of a no-slip wall that moves along itself.
+   * fix: zero, the velocity of a no-slip wall that moves along itself, or the
+   * way of a side that moves along its normal.
    *
    * Where walls meet, a side of the domain decides about its normal component
-   * (zero), and the slower of the walls about the others: a lid does not move
+   * and the slower of the walls about the others: a lid does not move
    * the fluid in its corners.
    */
   template <int dim>
@@ -21,6 +23,7 @@ namespace seiche
   public:
     /// References must outlive the object.
     WallConditions(const WallVelocity<dim> &velocity,
+                   const WallMotion<dim>   &motion,
                    const Occupancy<dim>    &occupancy);
 
     /// velocity_start from velocity_n, with the walls' at state.time.
@@ -36,14 +39,32 @@ namespace seiche
                      const StepCoefficients                &coefficients,
                      const typename GridState<dim>::Vector &rate_offset) const;
 
+    /// The walls' [m/s] of component i = dim*node + c of an own node on them;
+    /// of a moving side within a small part of @p dt.
+    double
+    velocity(const unsigned int i, const double time, const double dt) const;
+
+    /// Displacement [m] of set_displacement() for one component.
+    double
+    displacement(const unsigned int                     i,
+                 const GridState<dim>                  &state,
+                 const StepCoefficients                &coefficients,
+                 const typename GridState<dim>::Vector &rate_offset) const;
+
   private:
-    /// Of an own node's fixed component [m/s].
+    /// Of an own node's component that walls fix [m/s].
     double
     component(const unsigned int node,
               const unsigned int component,
               const double       time) const;
 
-    const WallVelocity<dim> &velocity;
+    /// Side of the domain that decides about an own node's component, or
+    /// numbers::invalid_unsigned_int.
+    unsigned int
+    side(const unsigned int node, const unsigned int component) const;
+
+    const WallVelocity<dim> &wall_velocity;
+    const WallMotion<dim>   &wall_motion;
     const Occupancy<dim>    &occupancy;
     const bool               moving;
   };

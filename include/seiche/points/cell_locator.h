@@ -41,6 +41,15 @@ namespace seiche
     void
     reinit();
 
+    /// Place of a grid line [m], from its direction and its place in
+    /// BackgroundGrid [m]; linear between the ends of a segment.
+    using LinePlace = std::function<double(const unsigned int, const double)>;
+
+    /// Move the grid lines, now and for meshes to come; the triangulation stays
+    /// as it is. Points have to be located anew. Local.
+    void
+    move(const LinePlace &place);
+
     unsigned int
     n_owned() const
     {
@@ -227,8 +236,17 @@ namespace seiche
       index(const double x) const;
     };
 
+    /// Lines of a direction, @p place as in move().
+    Lines
+    make_line(const unsigned int direction, const LinePlace &place) const;
     void
     make_lines();
+    /// Corners, extent and measure of a cell between the lines.
+    void
+    set_box(const unsigned int cell);
+    /// What is smallest around own cells.
+    void
+    find_reaches();
     void
     add_cell(
       const typename dealii::Triangulation<dim>::active_cell_iterator &cell);
@@ -267,7 +285,9 @@ namespace seiche
     std::vector<unsigned int>           by_active_index;
     std::vector<typename dealii::Triangulation<dim>::active_cell_iterator>
                            iterators;
-    std::array<Lines, dim> lines;
+    std::array<Lines, dim> lines;     // where they are
+    std::array<Lines, dim> reference; // of the triangulation, never moved
+    LinePlace              line_place;
     unsigned int           finest_level   = 0;
     unsigned int           obstacle_shift = 0; // grid's lattice -> finest
     // (Morton key of the lower lattice corner, cell), sorted by key: the cells

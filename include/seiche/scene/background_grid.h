@@ -26,9 +26,10 @@ namespace seiche
   /// What a wall does to the displacement of the fluid that touches it.
   enum class WallCondition
   {
-    slip,    ///< normal component fixed
-    no_slip, ///< all components fixed
-    open     ///< nothing fixed; points that cross it leave as outflow
+    slip,       ///< normal component fixed
+    unilateral, ///< the same, but the fluid may leave the wall
+    no_slip,    ///< all components fixed
+    open        ///< nothing fixed; points that cross it leave as outflow
   };
 
   /**
@@ -63,11 +64,21 @@ namespace seiche
     void
     check(const InputFile &input);
 
+    /// True if the fluid may leave some wall.
+    bool
+    any_unilateral() const;
+
     /// Text and path of the entry with a wall's velocity, by boundary id.
     std::string
     wall_velocity_text(const unsigned int id) const;
     std::string
     wall_velocity_path(const unsigned int id) const;
+
+    /// The same of the displacement of a side.
+    const std::string &
+    wall_displacement_text(const unsigned int side) const;
+    std::string
+    wall_displacement_path(const unsigned int side) const;
 
     /// The whole box.
     dealii::BoundingBox<dim>
@@ -86,6 +97,8 @@ namespace seiche
     std::array<std::string, dim>     cells_text;
     std::array<std::string, 2 * dim> walls_text;
     std::array<std::string, 2 * dim> velocities_text;
+    std::array<std::string, 2 * dim> displacements_text;
+    std::string                      contact = "sticking";
     std::string                      lower_text, upper_text;
     struct ObstacleText
     {

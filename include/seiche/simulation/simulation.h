@@ -4,7 +4,7 @@
 
 #include <seiche/grid/mesh_adaptation.h>
 #include <seiche/grid/point_control.h>
-#include <seiche/grid/wall_conditions.h>
+#include <seiche/grid/wall_contact.h>
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/run_report.h>
@@ -78,6 +78,11 @@ namespace seiche
     std::string
     try_step();
 
+    /// Start velocity of a step that satisfies the walls and, if it is to, the
+    /// constraint; empty, or why not.
+    std::string
+    find_start_velocity();
+
     /// Of a step of size state.dt.
     StepCoefficients
     step_coefficients() const;
@@ -90,6 +95,14 @@ namespace seiche
     postprocess();
     void
     finish();
+
+    /// The grid to where the walls are now. Collective.
+    void
+    move_grid();
+
+    /// Cells that sides of the domain move by in a step of size @p dt.
+    double
+    wall_way(const double dt) const;
 
     /// Largest speed over the cell edge [1/s], all ranks.
     double
@@ -115,6 +128,7 @@ namespace seiche
     TimerTree        &timer;
     const Checkpoint *start; ///< null: from the scene
 
+    const WallMotion<dim>                   wall_motion;
     BackgroundGrid<dim>                     grid;
     CellLocator<dim>                        locator;
     const std::unique_ptr<TimeScheme<dim>>  time_scheme;
@@ -129,6 +143,7 @@ namespace seiche
     const BodyForce<dim>                    body_force;
     const WallVelocity<dim>                 wall_velocity;
     const WallConditions<dim>               wall_conditions;
+    WallContact<dim>                        wall_contact;
     const Transfer<dim>                     transfer;
     GridState<dim>                          state;
     BlockMatrix<dim>                        matrix;

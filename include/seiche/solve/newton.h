@@ -2,6 +2,7 @@
 #ifndef seiche_solve_newton_h
 #define seiche_solve_newton_h
 
+#include <seiche/grid/wall_contact.h>
 #include <seiche/solve/assembler.h>
 #include <seiche/solve/linear_solver.h>
 #include <seiche/solve/residual_projection.h>
@@ -36,7 +37,8 @@ namespace seiche
    * tolerance times its first value, or below the absolute tolerance times
    * the forces (volumes) at work. Forcing terms: Eisenstat and Walker 1996,
    * choice 2, not below what the convergence test can use. Updates that make
-   * the residual grow are shortened.
+   * the residual grow are shortened. The set of nodes that unilateral walls
+   * hold is corrected after each of them.
    */
   template <int dim>
   class Newton
@@ -49,10 +51,11 @@ namespace seiche
            Assembler<dim>          &assembler,
            ResidualProjection<dim> &projection,
            BlockMatrix<dim>        &matrix,
-           LinearSolver<dim>       &solver);
+           LinearSolver<dim>       &solver,
+           WallContact<dim>        &contact);
 
-    /// Solve for state.solution, starting at its value; the assembler has
-    /// been begun for the step. state.reaction belongs to the solution.
+    /// Solve for state.solution, starting at its value; assembler and contact
+    /// have been begun for the step. state.reaction belongs to the solution.
     /// Collective.
     NewtonResult
     solve(GridState<dim> &state);
@@ -81,6 +84,7 @@ namespace seiche
     ResidualProjection<dim> &projection;
     BlockMatrix<dim>        &matrix;
     LinearSolver<dim>       &solver;
+    WallContact<dim>        &contact;
     BlockVector              residual, update;
   };
 } // namespace seiche

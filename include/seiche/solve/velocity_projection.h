@@ -37,10 +37,13 @@ namespace seiche
     static constexpr double usable_reduction = 0.1;
 
     /// state.velocity_start from state.velocity_n for a step with these
-    /// coefficients; ghosts too. Leaves the solution of the state untouched.
+    /// coefficients; ghosts too. The solution of the state is overwritten.
+    /// @p with_reactions: also state.reaction = (impulse of the walls)/dt.
     /// Collective.
     LinearResult
-    apply(GridState<dim> &state, const StepCoefficients &step);
+    apply(GridState<dim>         &state,
+          const StepCoefficients &step,
+          const bool              with_reactions = false);
 
     /**
      * Consistent start of schemes that carry an acceleration: a_0 and p_0
@@ -65,6 +68,11 @@ namespace seiche
           const Vector           &rate_offset,
           BlockVector            &solution,
           const double            reduction);
+
+    /// state.reaction of the system that solve() has solved, linear about u =
+    /// p = 0 as it is.
+    void
+    find_reactions(GridState<dim> &state, const BlockVector &solution);
 
     Assembler<dim>    &assembler;
     BlockMatrix<dim>  &matrix;

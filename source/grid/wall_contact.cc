@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/wall_contact.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Tension that releases a node, over the forces at work at it: above what
+    /// Newton's iteration leaves, so that a node does not change to and fro.
+    constexpr double release_margin = 1e-3;
+
+    /// Way into the wall, in cells, that counts as none.
+    constexpr double penetration_margin = 1e-12;
+
+    constexpr unsigned int most_releases = 2;
+
+    /// Projections of a step; what then moves into a wall meets it in the step.
+    constexpr unsigned int most_projections = 4;
+  } // namespace
+
+  template <int dim>
+  WallContact<dim>::WallContact(const WallConditions<dim> &wall_conditions,
+                                Occupancy<dim>            &grid_occupancy,
+                                const BodyForce<dim>      &force,
+                                const double               fluid_density,
+                                const bool                 surface_needed)
+    : conditions(wall_conditions)
+    , occupancy(grid_occupancy)
+    , body_force(force)
+    , density(fluid_density)
+    , needs_surface(surface_needed)
+    , exists(grid_occupancy.locator.grid.parameters.any_unilateral())
+  {}
+
+  template <int dim>
+  bool
+  WallContact<dim>::is_unilateral(const unsigned int node,
+                                  const unsigned int component) const
+  {
+    const auto &walls = occupancy.walls_at(node);
+    return std::all_of(walls.begin(), walls.end(), [&](const auto &entry) {
+      return entry.second != component ||
+             occupancy.locator.grid.wall_condition(entry.first) ==
+               WallCondition::unilateral;
+    });
+  }
+
+  template <int dim>
+  void
+  WallContact<dim>::collect()
+  {
+    // [own node][component]: least extent beside the wall, sides with fluid
+    std::vector<std::array<double, dim>>       extent(occupancy.n_own_nodes());
+    std::vector<std::array<unsigned int, dim>> sides(occupancy.n_own_nodes());
+    const auto                                &locator = occupancy.locator;
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      if (occupancy.is_active(cell))
+        for (const unsigned int face : GeometryInfo<dim>::face_indices())
+          {
+            const types::boundary_id wall = locator.boundary_id(cell, face);
+            const unsigned int       c    = face / 2;
+            if (wall == numbers::internal_face_boundary_id ||
+                locator.grid.wall_condition(wall) != WallCondition::unilateral)
+              continue;
+            for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+              {
+                const unsigned int node = occupancy.cell_nodes(cell)[a];
+                if (occupancy.place(a, c) != (face % 2) * occupancy.fe.degree ||
+                    occupancy.hanging().hangs(cell, a) ||
+                    node >= occupancy.n_own_nodes())
+                  continue;
+                double &least = extent[node][c];
+                least         = sides[node][c] == 0 ?
+                                  locator.extent(cell)[c] :
+                                  std::min(least, locator.extent(cell)[c]);
+                sides[node][c] |= face % 2 == 0 ? 1u : 2u;
+              }
+          }
+    contacts.clear();
+    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        if ((sides[node][c] == 1u || sides[node][c] == 2u) &&
+            is_unilateral(node, c))
+          contacts.push_back({node,
+                              c,
+                              sides[node][c] == 1u ? 1. : -1.,
+                              extent[node][c],
+                              /*pressing=*/0.,
+                              /*margin=*/0.,
+                              /*releases=*/0});
+  }
+
+  template <int dim>
+  void
+  WallContact<dim>::begin(const GridState<dim> &state)
+  {
+    active      = exists && !(needs_surface && !occupancy.has_free_surface());
+    projections = 0;
+    if (!active)
+      return;
+    collect();
+    for (Contact &contact : contacts)
+      {
+        const double mass  = state.mass.local_element(contact.node);
+        double       speed = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          speed +=
+            std::pow(state.velocity_n.local_element(dim * contact.node + c), 2);
+        contact.margin =
+          release_margin * mass *
+          (std::sqrt(speed) / state.dt +
+           body_force.value(occupancy.node_position(contact.node), state.time)
+             .norm());
+        // a hat at a wall: its area is 2/h times its volume, mass/density
+        contact.pressing =
+          std::max(0., state.pressure_guess.local_element(contact.node)) *
+          mass / density * 2. * occupancy.fe.degree / contact.extent;
+        contact.releases = 0;
+        const double velocity =
+          contact.inward * state.velocity_n.local_element(dim * contact.node +
+                                                          contact.component);
+        occupancy.set_released(contact.node,
+                               contact.component,
+                               mass * velocity / state.dt >
+                                 contact.pressing + contact.margin);
+      }
+    occupancy.share_fixed();
+  }
+
+  template <int dim>
+  bool
+  WallContact<dim>::change(Contact     &contact,
+                           const double force,
+                           const double way)
+  {
+    const bool fixed = is_fixed(contact);
+    const bool release =
+      fixed && force < -contact.margin && contact.releases < most_releases;
+    const bool fix = !fixed && way < -penetration_margin * contact.extent;
+    if (!release && !fix)
+      return false;
+    contact.releases += release;
+    occupancy.set_released(contact.node, contact.component, release);
+    return true;
+  }
+
+  template <int dim>
+  bool
+  WallContact<dim>::agree(const bool changed)
+  {
+    const MPI_Comm communicator =
+      occupancy.scalar_partitioner()->get_mpi_communicator();
+    if (Utilities::MPI::max(changed ? 1 : 0, communicator) == 0)
+      return false;
+    occupancy.share_fixed();
+    return true;
+  }
+
+  template <int dim>
+  bool
+  WallContact<dim>::correct_start(const GridState<dim> &state)
+  {
+    if (!active || ++projections == most_projections)
+      return false;
+    bool changed = false;
+    for (Contact &contact : contacts)
+      {
+        const unsigned int i = dim * contact.node + contact.component;
+        const double       v = state.velocity_start.local_element(i);
+        // the projection began with the wall's velocity
+        const double stopping = state.mass.local_element(contact.node) *
+                                (v - state.velocity_n.local_element(i)) /
+                                state.dt;
+        const double force =
+          contact.inward * (state.reaction.local_element(i) + stopping) +
+          contact.pressing;
+        changed = change(contact,
+                         force,
+                         contact.inward *
+                           (v - conditions.velocity(i, state.time, state.dt)) *
+                           state.dt) ||
+                  changed;
+      }
+    return agree(changed);
+  }
+
+  template <int dim>
+  void
+  WallContact<dim>::begin_iteration(const StepCoefficients &step,
+                                    const Vector           &offset)
+  {
+    coefficients = &step;
+    rate_offset  = &offset;
+    for (Contact &contact : contacts)
+      contact.releases = 0;
+  }
+
+  template <int dim>
+  bool
+  WallContact<dim>::correct(GridState<dim> &state)
+  {
+    if (!active)
+      return false;
+    bool changed = false;
+    for (Contact &contact : contacts)
+      {
+        const unsigned int i = dim * contact.node + contact.component;
+        const double       at_wall =
+          conditions.displacement(i, state, *coefficients, *rate_offset);
+        double &u = state.displacement().local_element(i);
+        if (change(contact,
+                   contact.inward * state.reaction.local_element(i),
+                   contact.inward * (u - at_wall)))
+          {
+            changed = true;
+            if (is_fixed(contact))
+              u = at_wall;
+          }
+      }
+    if (!agree(changed))
+      return false;
+    state.solution.update_ghost_values();
+    return true;
+  }
+
+  template class WallContact<2>;
+  template class WallContact<3>;
+} // namespace seiche
