@@ -21,8 +21,6 @@ namespace seiche
     constexpr double difference = 1e-3;
   } // namespace
 
-
-
   template <int dim>
   WallMotion<dim>::WallMotion(const GridParameters<dim> &parameters,
                               const InputFile           &input,
@@ -30,11 +28,11 @@ namespace seiche
   {
     for (unsigned int d = 0; d < dim; ++d)
       {
-        sides[d] = {parameters.lower_corner[d], parameters.upper_corner[d]};
-        fixed[d] = {sides[d][1], sides[d][0]};
+        sides[d] = {{parameters.lower_corner[d], parameters.upper_corner[d]}};
+        fixed[d] = {{sides[d][1], sides[d][0]}};
         for (const auto &obstacle : parameters.obstacles)
-          fixed[d] = {std::min(fixed[d][0], obstacle.lower_corner[d]),
-                      std::max(fixed[d][1], obstacle.upper_corner[d])};
+          fixed[d] = {{std::min(fixed[d][0], obstacle.lower_corner[d]),
+                       std::max(fixed[d][1], obstacle.upper_corner[d])}};
       }
     for (unsigned int side = 0; side < 2 * dim; ++side)
       {
@@ -52,8 +50,6 @@ namespace seiche
       if (moves(side))
         check(parameters, input, side, end_time);
   }
-
-
 
   template <int dim>
   void
@@ -100,8 +96,6 @@ namespace seiche
       }
   }
 
-
-
   template <int dim>
   bool
   WallMotion<dim>::any() const
@@ -111,8 +105,6 @@ namespace seiche
                        [](const auto &e) { return e.has_value(); });
   }
 
-
-
   template <int dim>
   double
   WallMotion<dim>::displacement(const unsigned int side,
@@ -121,8 +113,6 @@ namespace seiche
     return moves(side) ? expressions[side]->value(dealii::Point<dim>(), time) :
                          0.;
   }
-
-
 
   template <int dim>
   double
@@ -139,7 +129,34 @@ namespace seiche
            (2. * h);
   }
 
+  template <int dim>
+  double
+  WallMotion<dim>::largest_way(const double time, const double dt) const
+  {
+    double most = 0.;
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      if (moves(side))
+        most = std::max(most,
+                        std::abs(displacement(side, time + dt) -
+                                 displacement(side, time)));
+    return most;
+  }
 
+  template <int dim>
+  double
+  WallMotion<dim>::volume_change(const double time, const double dt) const
+  {
+    double ratio = 1.;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const auto length = [&](const double t) {
+          return sides[d][1] - sides[d][0] + displacement(2 * d + 1, t) -
+                 displacement(2 * d, t);
+        };
+        ratio *= length(time + dt) / length(time);
+      }
+    return ratio - 1.;
+  }
 
   template <int dim>
   double
@@ -164,8 +181,6 @@ namespace seiche
       return between(stay[1], begin[1], stay[1], high);
     return place;
   }
-
-
 
   template class WallMotion<2>;
   template class WallMotion<3>;

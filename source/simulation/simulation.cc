@@ -15,6 +15,9 @@ namespace seiche
     /// Of the largest way of a point in a step, what a wall may move: the grid
     /// goes with it, and the sum of both counts.
     constexpr double largest_wall_way = 0.5;
+
+    /// Relative change of a full box in a step that is round-off.
+    constexpr double largest_volume_change = 1e-10;
   } // namespace
 
   template <int dim>
@@ -84,19 +87,6 @@ namespace seiche
   }
 
   template <int dim>
-  std::string
-  Simulation<dim>::description() const
-  {
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    return fmt::format("{}D, {} cells, {} points, {} rank{}\n",
-                       dim,
-                       grid.triangulation.n_global_active_cells(),
-                       points.n_global(),
-                       n_ranks,
-                       n_ranks == 1 ? "" : "s");
-  }
-
-  template <int dim>
   RunOutcome
   Simulation<dim>::run(CheckpointSchedule &schedule, CheckpointFolder &folder)
   {
@@ -122,30 +112,6 @@ namespace seiche
       }
     finish();
     return RunOutcome::finished;
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::begin()
-  {
-    scene.postprocessors.make(directory, grid, communicator);
-    if (start != nullptr)
-      {
-        save_or_load(start->state());
-        scene.input.require(
-          time_stepper.time() <= (1. + 1e-9) * scene.time.end_time,
-          "Time/End time",
-          fmt::format("the checkpoint is at {:.6g} s already; "
-                      "set a later time",
-                      time_stepper.time()));
-        return;
-      }
-    find_material();
-    prepare_start();
-    state.velocity_np1 = state.velocity_n; // what the first frame shows
-    state.velocity_np1.update_ghost_values();
-    state.solution.update_ghost_values();
-    postprocess();
   }
 
   template <int dim>
@@ -235,6 +201,14 @@ namespace seiche
     const double way = wall_way(state.dt);
     if (way > largest_wall_way * scene.time.maximum_displacement)
       return fmt::format("a wall moves by {:.3g} cells", way);
+    if (assembler.is_closed() &&
+        std::abs(wall_motion.volume_change(state.time, state.dt)) >
+          largest_volume_change)
+      throw NumericalError(fmt::format(
+        "t = {:.6g} s: walls change the volume of a box that is full of "
+        "incompressible fluid. Leave room above the fluid, open a wall or set "
+        "a finite Fluid/Bulk modulus.",
+        state.time));
     linear_solver.begin_step();
     if (const std::string failure = find_start_velocity(); !failure.empty())
       return failure;
@@ -301,42 +275,6 @@ namespace seiche
   }
 
   template <int dim>
-  void
-  Simulation<dim>::prepare_start()
-  {
-    if (!time_scheme->needs_acceleration())
-      return;
-    state.dt       = scene.time.step;
-    bool converged = true;
-    wall_conditions.set_start_velocity(state);
-    if (formulation->has_pressure())
-      converged =
-        velocity_projection.apply(state, step_coefficients()).converged;
-    converged =
-      converged && velocity_projection.consistent_start(state).converged;
-    if (!converged)
-      throw NumericalError("The consistent start (velocity, acceleration and "
-                           "pressure that satisfy the constraint) did not "
-                           "converge; set Solver/Linear solver = direct.");
-    // accelerations alone return to the points in this transfer
-    if (transfer_method(scene.transfer.method).update ==
-        VelocityUpdate::flip_acceleration)
-      {
-        typename GridState<dim>::Vector correction(state.velocity_start);
-        correction -= state.velocity_n;
-        correction.update_ghost_values();
-        interpolate_to_points(
-          occupancy, correction, PointColumn::velocity, points, /*keep=*/1.);
-      }
-    interpolate_to_points(occupancy,
-                          state.acceleration_n,
-                          PointColumn::acceleration,
-                          points);
-    state.solution = 0.;
-    state.reaction = 0.;
-  }
-
-  template <int dim>
   double
   Simulation<dim>::speed_per_cell() const
   {
@@ -351,6 +289,14 @@ namespace seiche
   }
 
   template <int dim>
+  double
+  Simulation<dim>::wall_way(const double dt) const
+  {
+    return wall_motion.largest_way(time_stepper.time(), dt) /
+           occupancy.smallest_extent();
+  }
+
+  template <int dim>
   void
   Simulation<dim>::move_grid()
   {
@@ -362,97 +308,6 @@ namespace seiche
         return wall_motion.line(direction, place, time);
       });
     occupancy.update_places();
-  }
-
-  template <int dim>
-  double
-  Simulation<dim>::wall_way(const double dt) const
-  {
-    const double t    = time_stepper.time();
-    double       most = 0.;
-    for (unsigned int side = 0; side < 2 * dim; ++side)
-      if (wall_motion.moves(side))
-        most = std::max(most,
-                        std::abs(wall_motion.displacement(side, t + dt) -
-                                 wall_motion.displacement(side, t)) /
-                          occupancy.smallest_extent());
-    return most;
-  }
-
-  template <int dim>
-  std::set<PointColumn>
-  Simulation<dim>::point_columns() const
-  {
-    auto columns = Transfer<dim>::columns(scene.transfer);
-    if (time_scheme->needs_acceleration())
-      columns.insert(PointColumn::acceleration);
-    return columns;
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::postprocess()
-  {
-    const TimerTree::Scope scope(timer, "postprocess");
-    const unsigned int     step = time_stepper.steps();
-    const double           time = time_stepper.time();
-    const double           dt   = step == 0 ? 0. : state.dt;
-    StepView<dim>          view{step,
-                       time,
-                       dt,
-                       time - (1. - time_scheme->pressure_time()) * dt,
-                       points,
-                       occupancy,
-                       fill,
-                       state,
-                       scene.fluid.density,
-                       body_force.is_constant() ? body_force.constant_value() :
-                                                           Tensor<1, dim>(),
-                       scene.fluid.bulk_modulus,
-                       step == 0 ? 0. : assembler.coefficients().theta,
-                       seeding.half_spacing,
-                       occupancy.smallest_extent(),
-                       last.iterations,
-                       last.krylov_iterations};
-    statistics.set("step", step);
-    statistics.set("time [s]", time);
-    statistics.set("dt [s]", dt);
-    statistics.set("pressure_time [s]", view.pressure_time);
-    statistics.set("newton_iterations", last.iterations);
-    statistics.set("krylov_iterations", last.krylov_iterations);
-    for (const auto &[name, value] : point_control.account())
-      statistics.set(name, value);
-    scene.postprocessors.execute(view, statistics);
-    statistics.end_row();
-    if (step > 0)
-      report.progress(time,
-                      dt,
-                      last.iterations,
-                      last.krylov_iterations,
-                      scene.postprocessors.relative_energy());
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::finish()
-  {
-    nlohmann::ordered_json summary;
-    summary["program_version"] = program_version;
-    summary["dim"]             = dim;
-    summary["ranks"]           = Utilities::MPI::n_mpi_processes(communicator);
-    summary["points"]          = points.n_global();
-    summary["cells"]           = grid.triangulation.n_global_active_cells();
-    summary["occupied_cells_max"] = occupied_max;
-    summary["dofs_max"]           = unknowns_max;
-    summary["end_time"]           = time_stepper.time();
-    summary["steps"]              = time_stepper.steps();
-    summary["rejected_steps"]     = time_stepper.rejected();
-    summary["newton_iterations"]  = newton_total;
-    summary["krylov_iterations"]  = krylov_total;
-    for (const auto &[name, value] : point_control.account())
-      summary["point control"][name] = value;
-    scene.postprocessors.finish(statistics, summary);
-    report.finish(summary, timer);
   }
 
   template class Simulation<2>;

@@ -45,6 +45,14 @@ namespace seiche
     double
     velocity(const unsigned int side, const double time, const double dt) const;
 
+    /// The most that a side moves in a step from @p time [m].
+    double
+    largest_way(const double time, const double dt) const;
+
+    /// Relative change of the box's volume in that step [-].
+    double
+    volume_change(const double time, const double dt) const;
+
     /// Place at @p time of the grid line that was at @p place [m].
     double
     line(const unsigned int direction,

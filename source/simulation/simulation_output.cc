@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a run says and writes.
+#include <seiche/simulation/simulation.h>
+#include <seiche/simulation/summary_file.h>
+#include <seiche/utilities/version.h>
+
+#include <fmt/format.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  std::string
+  Simulation<dim>::description() const
+  {
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    return fmt::format("{}D, {} cells, {} points, {} rank{}\n",
+                       dim,
+                       grid.triangulation.n_global_active_cells(),
+                       points.n_global(),
+                       n_ranks,
+                       n_ranks == 1 ? "" : "s");
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::postprocess()
+  {
+    const TimerTree::Scope scope(timer, "postprocess");
+    const unsigned int     step = time_stepper.steps();
+    const double           time = time_stepper.time();
+    const double           dt   = step == 0 ? 0. : state.dt;
+    StepView<dim>          view{step,
+                       time,
+                       dt,
+                       time - (1. - time_scheme->pressure_time()) * dt,
+                       points,
+                       occupancy,
+                       fill,
+                       state,
+                       scene.fluid.density,
+                       body_force.is_constant() ? body_force.constant_value() :
+                                                           Tensor<1, dim>(),
+                       scene.fluid.bulk_modulus,
+                       step == 0 ? 0. : assembler.coefficients().theta,
+                       seeding.half_spacing,
+                       occupancy.smallest_extent(),
+                       last.iterations,
+                       last.krylov_iterations};
+    statistics.set("step", step);
+    statistics.set("time [s]", time);
+    statistics.set("dt [s]", dt);
+    statistics.set("pressure_time [s]", view.pressure_time);
+    statistics.set("newton_iterations", last.iterations);
+    statistics.set("krylov_iterations", last.krylov_iterations);
+    for (const auto &[name, value] : point_control.account())
+      statistics.set(name, value);
+    scene.postprocessors.execute(view, statistics);
+    statistics.end_row();
+    if (step > 0)
+      report.progress(time,
+                      dt,
+                      last.iterations,
+                      last.krylov_iterations,
+                      scene.postprocessors.relative_energy());
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::finish()
+  {
+    nlohmann::ordered_json summary;
+    summary["program_version"] = program_version;
+    summary["dim"]             = dim;
+    summary["ranks"]           = Utilities::MPI::n_mpi_processes(communicator);
+    summary["points"]          = points.n_global();
+    summary["cells"]           = grid.triangulation.n_global_active_cells();
+    summary["occupied_cells_max"] = occupied_max;
+    summary["dofs_max"]           = unknowns_max;
+    summary["end_time"]           = time_stepper.time();
+    summary["steps"]              = time_stepper.steps();
+    summary["rejected_steps"]     = time_stepper.rejected();
+    summary["newton_iterations"]  = newton_total;
+    summary["krylov_iterations"]  = krylov_total;
+    for (const auto &[name, value] : point_control.account())
+      summary["point control"][name] = value;
+    scene.postprocessors.finish(statistics, summary);
+    report.finish(summary, timer);
+  }
+
+  template std::string
+  Simulation<2>::description() const;
+  template std::string
+  Simulation<3>::description() const;
+  template void
+  Simulation<2>::postprocess();
+  template void
+  Simulation<3>::postprocess();
+  template void
+  Simulation<2>::finish();
+  template void
+  Simulation<3>::finish();
+} // namespace seiche

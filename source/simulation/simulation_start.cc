@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The start of a run, from the scene or from a checkpoint.
+#include <seiche/simulation/simulation.h>
+#include <seiche/transfer/interpolate.h>
+
+#include <fmt/format.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  Simulation<dim>::begin()
+  {
+    scene.postprocessors.make(directory, grid, communicator);
+    if (start != nullptr)
+      {
+        save_or_load(start->state());
+        scene.input.require(
+          time_stepper.time() <= (1. + 1e-9) * scene.time.end_time,
+          "Time/End time",
+          fmt::format("the checkpoint is at {:.6g} s already; "
+                      "set a later time",
+                      time_stepper.time()));
+        return;
+      }
+    find_material();
+    prepare_start();
+    state.velocity_np1 = state.velocity_n; // what the first frame shows
+    state.velocity_np1.update_ghost_values();
+    state.solution.update_ghost_values();
+    postprocess();
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::prepare_start()
+  {
+    if (!time_scheme->needs_acceleration())
+      return;
+    state.dt       = scene.time.step;
+    bool converged = true;
+    wall_conditions.set_start_velocity(state);
+    if (formulation->has_pressure())
+      converged =
+        velocity_projection.apply(state, step_coefficients()).converged;
+    converged =
+      converged && velocity_projection.consistent_start(state).converged;
+    if (!converged)
+      throw NumericalError("The consistent start (velocity, acceleration and "
+                           "pressure that satisfy the constraint) did not "
+                           "converge; set Solver/Linear solver = direct.");
+    // accelerations alone return to the points in this transfer
+    if (transfer_method(scene.transfer.method).update ==
+        VelocityUpdate::flip_acceleration)
+      {
+        typename GridState<dim>::Vector correction(state.velocity_start);
+        correction -= state.velocity_n;
+        correction.update_ghost_values();
+        interpolate_to_points(
+          occupancy, correction, PointColumn::velocity, points, /*keep=*/1.);
+      }
+    interpolate_to_points(occupancy,
+                          state.acceleration_n,
+                          PointColumn::acceleration,
+                          points);
+    state.solution = 0.;
+    state.reaction = 0.;
+  }
+
+  template <int dim>
+  std::set<PointColumn>
+  Simulation<dim>::point_columns() const
+  {
+    auto columns = Transfer<dim>::columns(scene.transfer);
+    if (time_scheme->needs_acceleration())
+      columns.insert(PointColumn::acceleration);
+    return columns;
+  }
+
+  template void
+  Simulation<2>::begin();
+  template void
+  Simulation<3>::begin();
+  template void
+  Simulation<2>::prepare_start();
+  template void
+  Simulation<3>::prepare_start();
+  template std::set<PointColumn>
+  Simulation<2>::point_columns() const;
+  template std::set<PointColumn>
+  Simulation<3>::point_columns() const;
+} // namespace seiche
