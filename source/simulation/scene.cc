@@ -43,6 +43,13 @@ namespace seiche
                       "Time in which volume errors of the points are removed; "
                       "0: within each step, which costs pressure noise [s]",
                       Patterns::Double(0.));
+    prm.add_parameter("Update",
+                      volume_update,
+                      "What changes the volume of a point in a step: the "
+                      "displacement gradient at the point, or its nodal mean, "
+                      "which keeps neighbours together. automatic: nodal mean "
+                      "for incompressible fluid, else at the point",
+                      Patterns::Selection("automatic|at the point|nodal mean"));
     prm.leave_subsection();
     time.add_parameters(prm);
     time_scheme.add_parameters(prm);
@@ -99,6 +106,11 @@ namespace seiche
                        "Volume/Relaxation time",
                        "a finite Bulk modulus needs the whole volume error: "
                        "set it to 0, or Bulk modulus = infinite");
+    input_file.require(volume_update != "nodal mean" ||
+                         std::isinf(fluid.bulk_modulus),
+                       "Volume/Update",
+                       "with a finite Bulk modulus the volume of a point is "
+                       "its pressure: set it to automatic");
     input_file.require(
       transfer_method(transfer.method).update !=
           VelocityUpdate::flip_acceleration ||
@@ -106,6 +118,14 @@ namespace seiche
       "Transfer/Method",
       "FLIP acceleration updates velocities by Newmark's rule: set Time/Scheme "
       "= newmark, or another method");
+  }
+
+  template <int dim>
+  bool
+  Scene<dim>::uses_mean_volume() const
+  {
+    return volume_update == "nodal mean" ||
+           (volume_update == "automatic" && std::isinf(fluid.bulk_modulus));
   }
 
   template <int dim>

@@ -58,7 +58,10 @@ namespace seiche
                    scene.fluid.density,
                    formulation->has_pressure() &&
                      std::isinf(scene.fluid.bulk_modulus))
-    , transfer(scene.transfer, fill, scene.fluid.density)
+    , transfer(scene.transfer,
+               fill,
+               scene.fluid.density,
+               scene.uses_mean_volume())
     , matrix(occupancy, formulation->has_pressure())
     , assembler(*formulation,
                 *quadrature,

@@ -2,6 +2,7 @@
 #include <seiche/transfer/point_arrays.h>
 #include <seiche/transfer/point_block.h>
 #include <seiche/transfer/transfer.h>
+#include <seiche/transfer/volume_change.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -276,8 +277,11 @@ namespace seiche
 
     VelocityRule<dim, degree> rule(method, parameters, state);
     CellField<dim, degree>    u;
-    double                    p_nodal[n_nodes] = {};
-    Block<dim, degree>        block;
+    double                    p_nodal[n_nodes] = {}, volume_nodal[n_nodes] = {};
+    const typename GridState<dim>::Vector volume_change =
+      mean_volume ? nodal_volume_change(occupancy, points, state) :
+                    typename GridState<dim>::Vector();
+    Block<dim, degree> block;
     for_each_block(
       occupancy,
       points,
@@ -285,6 +289,12 @@ namespace seiche
         const unsigned int *nodes = occupancy.cell_nodes(cell);
         u.gather(displacement, occupancy, cell);
         rule.gather(occupancy, cell);
+        if (mean_volume)
+          {
+            for (unsigned int i = 0; i < n_nodes; ++i)
+              volume_nodal[i] = volume_change.local_element(nodes[i]);
+            occupancy.expand(cell, volume_nodal);
+          }
         if (with_pressure)
           {
             for (unsigned int i = 0; i < n_nodes; ++i)
@@ -304,8 +314,10 @@ namespace seiche
         double det[n_lanes], result[n_lanes];
         block.field_gradient(u, /*add_identity=*/true, F);
         determinant_and_cofactors<dim>(F, det, cofactor);
+        if (mean_volume)
+          block.value(volume_nodal, result);
         for (unsigned int l = 0; l < n_filled; ++l)
-          arrays.volume_ratio[first + l] *= det[l];
+          arrays.volume_ratio[first + l] *= mean_volume ? result[l] : det[l];
         rule.update(block, arrays, first, n_filled);
         if (arrays.gradient[0] != nullptr)
           update_gradient<dim, degree>(block,

@@ -197,7 +197,10 @@ namespace
                  /*with_acceleration=*/
                  points.has(PointColumn::acceleration));
     state.dt = 0.01;
-    const seiche::Transfer<dim> transfer(parameters, fill, /*density=*/100.);
+    const seiche::Transfer<dim> transfer(parameters,
+                                         fill,
+                                         /*density=*/100.,
+                                         /*mean_volume=*/false);
     for (std::size_t p = 0; p < points.size(); ++p)
       points.data(PointColumn::pressure)[p] = 7.;
 

@@ -167,7 +167,7 @@ SCENES = {
     "stress_sheets_meet": (
         "stress/sheets_meet",
         ["Free surface/Sliver treatment = true"],
-        {"ledger energy_max_relative_gain": 0.0048,
+        {"ledger energy_max_relative_gain": 0.0095,
          "ledger overfull_fraction": 0.038}),
     "stress_paper_tau_at_rest": (
         "stress/paper_tau_at_rest",

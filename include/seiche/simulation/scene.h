@@ -46,6 +46,10 @@ namespace seiche
     MaterialConstants
     material() const;
 
+    /// True if the points' volume ratios follow nodal means.
+    bool
+    uses_mean_volume() const;
+
     const InputFile &input;
 
     GridParameters<dim>                   grid;
@@ -58,6 +62,7 @@ namespace seiche
     QuadratureParameters                  quadrature;
     FreeSurfaceParameters                 free_surface;
     double                                volume_relaxation_time = 0.; // [s]
+    std::string                           volume_update          = "automatic";
     TimeStepParameters                    time;
     TimeSchemeParameters                  time_scheme;
     TransferParameters                    transfer;

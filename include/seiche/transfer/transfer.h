@@ -92,10 +92,12 @@ namespace seiche
   class Transfer
   {
   public:
-    /// @p grid_fill must outlive the object; @p density [kg/m^3].
+    /// @p grid_fill must outlive the object; @p density [kg/m^3];
+    /// @p mean_volume: volume ratios follow nodal means (volume_change.h).
     Transfer(const TransferParameters &transfer_parameters,
              const Fill<dim>          &grid_fill,
-             const double              density);
+             const double              density,
+             const bool                mean_volume);
 
     /// Columns that the method needs beyond the always present ones.
     static std::set<PointColumn>
@@ -113,8 +115,9 @@ namespace seiche
     check(const GridState<dim> &state, const PointCloud<dim> &points) const;
 
     /// Position, velocity, gradient, acceleration, volume ratio and pressure
-    /// of the points. (x += N u; J *= det f_1; C = grad_n v_np1 f_1^-1.) In
-    /// the irreducible form the pressure is left to the caller. Local.
+    /// of the points. (x += N u; J *= det f_1 or its nodal mean; C = grad_n
+    /// v_np1 f_1^-1.) In the irreducible form the pressure is left to the
+    /// caller. Collective.
     void
     grid_to_points(const GridState<dim> &state, PointCloud<dim> &points) const;
 
@@ -137,6 +140,7 @@ namespace seiche
     const Fill<dim>         &fill;
     const Occupancy<dim>    &occupancy;
     const double             density;
+    const bool               mean_volume;
   };
 } // namespace seiche
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/transfer/point_block.h>
+#include <seiche/transfer/volume_change.h>
+
+#include <numeric>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// det(I + grad u) in the centre of a cell with these extents [m].
+    template <int dim, int degree>
+    double
+    central_determinant(const CellField<dim, degree> &u,
+                        const Tensor<1, dim>         &extent)
+    {
+      using Shape = TensorShape<dim, degree>;
+      double line[Shape::n_line], slope[Shape::n_line];
+      Shape::line_values(0.5, line);
+      Shape::line_slopes(0.5, slope);
+      Tensor<2, dim> F;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          F[d][d] += 1.;
+          for (unsigned int a = 0; a < Shape::n_nodes; ++a)
+            {
+              double derivative = slope[Shape::place(a, d)] / extent[d];
+              for (unsigned int e = 0; e < dim; ++e)
+                if (e != d)
+                  derivative *= line[Shape::place(a, e)];
+              for (unsigned int c = 0; c < dim; ++c)
+                F[c][d] += derivative * u.values[c][a];
+            }
+        }
+      return determinant(F);
+    }
+
+    template <int dim, int degree>
+    void
+    add_cells(const Occupancy<dim>            &occupancy,
+              const PointCloud<dim>           &points,
+              const GridState<dim>            &state,
+              typename GridState<dim>::Vector &sum,
+              typename GridState<dim>::Vector &weight)
+    {
+      constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+      const double          *mass    = points.data(PointColumn::mass);
+      CellField<dim, degree> u;
+      for (const unsigned int cell : occupancy.occupied_cells())
+        {
+          u.gather(state.displacement().begin(), occupancy, cell);
+          const double m = std::accumulate(mass + points.first_point(cell),
+                                           mass + points.first_point(cell + 1),
+                                           0.);
+          const double det =
+            central_determinant<dim, degree>(u, points.locator.extent(cell));
+          double sums[n_nodes], weights[n_nodes];
+          std::fill_n(sums, n_nodes, m * det);
+          std::fill_n(weights, n_nodes, m);
+          occupancy.condense(cell, sums);
+          occupancy.condense(cell, weights);
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            {
+              const unsigned int node = occupancy.cell_nodes(cell)[a];
+              sum.local_element(node) += sums[a];
+              weight.local_element(node) += weights[a];
+            }
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  typename GridState<dim>::Vector
+  nodal_volume_change(const Occupancy<dim>  &occupancy,
+                      const PointCloud<dim> &points,
+                      const GridState<dim>  &state)
+  {
+    typename GridState<dim>::Vector result(occupancy.scalar_partitioner()),
+      weight(occupancy.scalar_partitioner());
+    with_degree(occupancy.fe.degree, [&](const auto degree) {
+      add_cells<dim, decltype(degree)::value>(
+        occupancy, points, state, result, weight);
+    });
+    result.compress(VectorOperation::add);
+    weight.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
+      if (weight.local_element(i) > 0.)
+        result.local_element(i) /= weight.local_element(i);
+    result.update_ghost_values();
+    return result;
+  }
+
+  template GridState<2>::Vector
+  nodal_volume_change(const Occupancy<2> &,
+                      const PointCloud<2> &,
+                      const GridState<2> &);
+  template GridState<3>::Vector
+  nodal_volume_change(const Occupancy<3> &,
+                      const PointCloud<3> &,
+                      const GridState<3> &);
+} // namespace seiche
