@@ -63,7 +63,7 @@ namespace seiche
     tangent(CellData<dim, 2> &cell) const = 0;
 
     /// What orthogonal subscales project: sums over the quadrature points of
-    /// V_t r N (residual_u [N]) and V_t g N (residual_p [m^dim]). Only of
+    /// V r N (residual_u [N]) and V g N (residual_p [m^dim]). Only of
     /// formulations with subscales.
     virtual void
     projected_terms(CellData<dim, 1> &cell) const
