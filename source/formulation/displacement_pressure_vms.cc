@@ -210,19 +210,19 @@ namespace seiche
     CellData<dim, degree> &cell) const
   {
     cell.clear_residual();
-    const Tau                    tau = this->tau(cell);
+    const Tau                    tau    = this->tau(cell);
+    const bool                   splits = this->stabilization.is_split();
+    const bool                   lumped = this->stabilization.projects_lumped();
     PointKinematics<dim, degree> point;
     for (unsigned int q = 0; q < cell.quadrature.size; ++q)
       {
         point.evaluate(cell, q, /*with_end=*/false);
         const VMSPointState<dim, degree> state(
-          cell, point, q, this->material, tau, this->stabilization.is_split());
+          cell, point, q, this->material, tau, splits);
         for (unsigned int a = 0; a < cell.n_nodes; ++a)
           {
-            const double weight =
-              cell.quadrature.volume[q] *
-              (this->stabilization.projects_lumped() ? point.lumped(a) :
-                                                       point.N[a]);
+            const double weight = cell.quadrature.volume[q] *
+                                  (lumped ? point.lumped(a) : point.N[a]);
             for (unsigned int i = 0; i < dim; ++i)
               cell.residual_u[i][a] +=
                 weight * (state.momentum_residual[i] + state.projected[i]);

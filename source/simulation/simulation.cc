@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/simulation.h>
-#include <seiche/transfer/interpolate.h>
 #include <seiche/utilities/exceptions.h>
-#include <seiche/utilities/version.h>
 
 #include <fmt/format.h>
 

@@ -39,13 +39,15 @@ namespace seiche
     , quadrature(rule)
     , occupancy(occupied)
     , parameters(a.formulation.stabilization)
+    , active(a.formulation.has_pressure() && parameters.is_orthogonal())
+    , lumped(parameters.projects_lumped())
   {}
 
   template <int dim>
   void
   ResidualProjection<dim>::begin(const GridState<dim> &state)
   {
-    if (!assembler.formulation.has_pressure() || !parameters.is_orthogonal())
+    if (!active)
       return;
     projected.reinit(state.solution);
     sums.reinit(state.solution);
@@ -60,8 +62,7 @@ namespace seiche
   ResidualProjection<dim>::update(const GridState<dim> &state,
                                   const unsigned int    iteration)
   {
-    if (!assembler.formulation.has_pressure() || !parameters.is_orthogonal() ||
-        iteration > parameters.projection_updates)
+    if (!active || iteration > parameters.projection_updates)
       return false;
     project(state);
     return true;
@@ -73,7 +74,7 @@ namespace seiche
   {
     assembler.projected_terms(state, sums);
     projected.zero_out_ghost_values();
-    if (parameters.projects_lumped())
+    if (lumped)
       Diagonal<BlockVector>{inverse_diagonal}.vmult(projected, sums);
     else
       {
@@ -115,9 +116,9 @@ namespace seiche
             {
               point.shape(points.point(q), occupancy.locator.extent(cell));
               for (unsigned int a = 0; a < point.n_nodes; ++a)
-                weights[a] += points.volume[q] * (parameters.projects_lumped() ?
-                                                    point.lumped(a) :
-                                                    point.N[a] * point.N[a]);
+                weights[a] +=
+                  points.volume[q] *
+                  (lumped ? point.lumped(a) : point.N[a] * point.N[a]);
             }
           occupancy.condense(cell, weights);
           for (unsigned int a = 0; a < point.n_nodes; ++a)

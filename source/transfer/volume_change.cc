@@ -10,29 +10,21 @@ namespace seiche
 
   namespace
   {
-    /// det(I + grad u) in the centre of a cell with these extents [m].
+    /// det(I + grad u), @p derivatives of the shape functions in the unit cell
+    /// [n_nodes][dim], @p extent of the cell [m].
     template <int dim, int degree>
     double
-    central_determinant(const CellField<dim, degree> &u,
-                        const Tensor<1, dim>         &extent)
+    determinant_of(const CellField<dim, degree> &u,
+                   const double                  derivatives[][dim],
+                   const Tensor<1, dim>         &extent)
     {
-      using Shape = TensorShape<dim, degree>;
-      double line[Shape::n_line], slope[Shape::n_line];
-      Shape::line_values(0.5, line);
-      Shape::line_slopes(0.5, slope);
       Tensor<2, dim> F;
       for (unsigned int d = 0; d < dim; ++d)
         {
           F[d][d] += 1.;
-          for (unsigned int a = 0; a < Shape::n_nodes; ++a)
-            {
-              double derivative = slope[Shape::place(a, d)] / extent[d];
-              for (unsigned int e = 0; e < dim; ++e)
-                if (e != d)
-                  derivative *= line[Shape::place(a, e)];
-              for (unsigned int c = 0; c < dim; ++c)
-                F[c][d] += derivative * u.values[c][a];
-            }
+          for (unsigned int a = 0; a < u.n_nodes; ++a)
+            for (unsigned int c = 0; c < dim; ++c)
+              F[c][d] += derivatives[a][d] / extent[d] * u.values[c][a];
         }
       return determinant(F);
     }
@@ -45,9 +37,15 @@ namespace seiche
               typename GridState<dim>::Vector &sum,
               typename GridState<dim>::Vector &weight)
     {
-      constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+      using Shape                    = TensorShape<dim, degree>;
+      constexpr unsigned int n_nodes = Shape::n_nodes;
       const double          *mass    = points.data(PointColumn::mass);
       CellField<dim, degree> u;
+      double                 N[n_nodes], derivatives[n_nodes][dim];
+      Point<dim>             centre;
+      for (unsigned int d = 0; d < dim; ++d)
+        centre[d] = 0.5;
+      Shape::evaluate(centre, N, derivatives);
       for (const unsigned int cell : occupancy.occupied_cells())
         {
           u.gather(state.displacement().begin(), occupancy, cell);
@@ -55,7 +53,9 @@ namespace seiche
                                            mass + points.first_point(cell + 1),
                                            0.);
           const double det =
-            central_determinant<dim, degree>(u, points.locator.extent(cell));
+            determinant_of<dim, degree>(u,
+                                        derivatives,
+                                        points.locator.extent(cell));
           double sums[n_nodes], weights[n_nodes];
           std::fill_n(sums, n_nodes, m * det);
           std::fill_n(weights, n_nodes, m);

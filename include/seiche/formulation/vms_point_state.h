@@ -25,10 +25,12 @@ namespace seiche
     double                 constraint;    // g = phi(J_1) + p/kappa
     double                 fine_pressure; // p~ = -tau2 (g - Pi g)
     dealii::Tensor<1, dim> acceleration, pressure_gradient;
-    dealii::Tensor<1, dim> momentum_residual;         // r - Pi r
-    dealii::Tensor<1, dim> projected;                 // Pi r
-    dealii::Tensor<2, dim> velocity_gradient, stress; // S = s - (p + p~) I
-    dealii::Tensor<1, dim> stress_divergence;         // div s, zero for FE_Q(1)
+    dealii::Tensor<1, dim> momentum_residual; // r - Pi r
+    dealii::Tensor<1, dim> projected;         // Pi r
+    dealii::Tensor<2, dim> velocity_gradient; // if a term has it, as the next
+    dealii::Tensor<2, dim> acceleration_gradient;
+    dealii::Tensor<2, dim> stress;            // S = s - (p + p~) I
+    dealii::Tensor<1, dim> stress_divergence; // div s, zero for FE_Q(1)
     dealii::Tensor<3, dim> curvature; // v_i,jk, for FE_Q(2) with viscosity
 
     VMSPointState(const CellData<dim, degree>  &cell,
@@ -57,31 +59,29 @@ namespace seiche
       pressure_gradient     = point.gradient(cell.pressure, point.gradient_t);
       constraint =
         material.volume_law.strain(J_1) + pressure / material.bulk_modulus;
-      if (cell.coefficients.rate_constraint != 0.)
+      const StepCoefficients &step = cell.coefficients;
+      const bool viscous = step.viscous && !material.law.is_inviscid();
+      if (viscous || step.rate_constraint != 0. || step.jerk_constraint != 0.)
+        velocity_gradient =
+          point.gradient(cell.rate_velocity, point.gradient_t);
+      const dealii::Tensor<2, dim> &l = velocity_gradient;
+      if (step.rate_constraint != 0.)
+        constraint -= step.rate_constraint * dealii::trace(l * l);
+      if (step.jerk_constraint != 0.)
         {
-          const dealii::Tensor<2, dim> l =
-            point.gradient(cell.rate_velocity, point.gradient_t);
-          constraint -=
-            cell.coefficients.rate_constraint * dealii::trace(l * l);
-        }
-      if (cell.coefficients.jerk_constraint != 0.)
-        {
-          const dealii::Tensor<2, dim> l =
-            point.gradient(cell.rate_velocity, point.gradient_t);
-          const dealii::Tensor<2, dim> grad_a =
+          acceleration_gradient =
             point.gradient(cell.acceleration, point.gradient_t);
-          constraint -= cell.coefficients.jerk_constraint *
-                        dealii::trace(3. * l * grad_a - 2. * l * l * l);
+          constraint -=
+            step.jerk_constraint *
+            dealii::trace(3. * l * acceleration_gradient - 2. * l * l * l);
         }
       fine_pressure     = -tau.continuity * constraint;
       momentum_residual = -pressure_gradient;
       if (!is_split)
         momentum_residual += rho_t * (cell.body_force_at(q) - acceleration);
 
-      if (cell.coefficients.viscous && !material.law.is_inviscid())
+      if (viscous)
         {
-          velocity_gradient =
-            point.gradient(cell.rate_velocity, point.gradient_t);
           stress = material.law.stress(velocity_gradient);
           if constexpr (degree > 1)
             if (!is_split)
@@ -117,10 +117,8 @@ namespace seiche
       const StepCoefficients &c = cell.coefficients;
       if (c.jerk_constraint == 0.)
         return;
-      const dealii::Tensor<2, dim> l =
-        point.gradient(cell.rate_velocity, point.gradient_t);
-      const dealii::Tensor<2, dim> grad_a =
-        point.gradient(cell.acceleration, point.gradient_t);
+      const dealii::Tensor<2, dim> &l      = velocity_gradient;
+      const dealii::Tensor<2, dim> &grad_a = acceleration_gradient;
       dealii::Tensor<2, dim> of_l = -c.theta * l, of_a = -c.theta * grad_a;
       for (unsigned int i = 0; i < dim; ++i)
         {

@@ -55,6 +55,8 @@ namespace seiche
     const Quadrature<dim>         &quadrature;
     const Occupancy<dim>          &occupancy;
     const StabilizationParameters &parameters;
+    const bool                     active; ///< orthogonal subscales
+    const bool                     lumped; ///< mass of the projection
     BlockVector                    projected, sums, inverse_diagonal;
   };
 } // namespace seiche
