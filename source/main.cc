@@ -139,6 +139,13 @@ main(int argc, char **argv)
                                failures,
                                speaks);
     }
+  catch (...) // Epetra throws numbers
+    {
+      code = end_after_failure(internal_error + "a library gave up.",
+                               ExitCode::internal,
+                               failures,
+                               speaks);
+    }
   MPI_Comm_free(&failures);
   return code;
 }

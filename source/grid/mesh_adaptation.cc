@@ -10,16 +10,6 @@ namespace seiche
 
   namespace
   {
-    // Work in units of a thousandth of a full cell's (58 us a step in 3D),
-    // measured (doc/scaling.md). Cells at the surface have ghost faces, and
-    // points instead of Gauss points as quadrature.
-    constexpr unsigned int weight_of_empty_cell       = 1;
-    constexpr unsigned int weight_of_cell             = 1000;
-    constexpr unsigned int weight_of_point            = 4; // transfers
-    constexpr unsigned int weight_of_quadrature_point = 41;
-
-    constexpr double tolerated_imbalance = 1.1;
-
     /// Distance of two boxes, the largest of the directions; zero if they
     /// touch or overlap.
     template <int dim>
@@ -58,17 +48,19 @@ namespace seiche
   template <int dim>
   MeshAdaptation<dim>::MeshAdaptation(BackgroundGrid<dim> &background_grid,
                                       CellLocator<dim>    &cell_locator,
-                                      PointCloud<dim>     &point_cloud)
+                                      PointCloud<dim>     &point_cloud,
+                                      const bool           gauss)
     : grid(background_grid)
     , locator(cell_locator)
     , points(point_cloud)
     , parameters(background_grid.parameters.refinement)
+    , gauss_in_full_cells(gauss)
     , communicator(background_grid.triangulation.get_communicator())
   {
     find_fluid();
     share_out();
-    if (parameters.is_adaptive() && adapt_fully())
-      share_out();
+    if (parameters.is_adaptive())
+      adapt_fully();
   }
 
   template <int dim>
@@ -86,27 +78,18 @@ namespace seiche
     find_fluid();
     if (!due && !surface_left_its_level())
       return false;
-    const bool changed = adapt_fully();
+    const bool changed = adapt();
     return share_out() || changed;
   }
 
   template <int dim>
-  bool
+  void
   MeshAdaptation<dim>::adapt_fully()
   {
-    // a pass may find a family in the way of the next coarser one, and another
-    // one first a family that two ranks share
-    bool changed = false;
-    for (unsigned int pass = 0; pass < 2 * (grid.finest_level() + 2); ++pass)
-      {
-        const bool adapted = adapt();
-        changed            = changed || adapted;
-        if (family_is_shared)
-          share_out(/*at_once=*/true);
-        else if (!adapted)
-          break;
-      }
-    return changed;
+    // a cell with few points has children without: new surface
+    for (unsigned int pass = 0; pass < 2 * (grid.finest_level() + 2) && adapt();
+         ++pass)
+      share_out();
   }
 
   template <int dim>
@@ -141,12 +124,13 @@ namespace seiche
       if (at_surface[cell])
         {
           const auto neighbors = locator.vertex_neighbors(cell);
-          left                 = locator.level(cell) < level ||
-                 std::any_of(neighbors.begin(),
-                             neighbors.end(),
-                             [&](const unsigned int c) {
-                               return locator.level(c) < level;
-                             });
+          left =
+            locator.level(cell) < level ||
+            std::any_of(neighbors.begin(),
+                        neighbors.end(),
+                        [&](const unsigned int c) {
+                          return holds_fluid[c] && locator.level(c) < level;
+                        });
         }
     return Utilities::MPI::max(left ? 1 : 0, communicator) == 1;
   }
@@ -155,39 +139,56 @@ namespace seiche
   bool
   MeshAdaptation<dim>::adapt()
   {
-    wanted_level.assign(locator.n_cells(), 0.);
-    for (const auto &criterion : parameters.criteria)
-      claim(criterion);
-    grade();
-    choose_next_levels();
-    bool flagged = false, shared = false;
+    choose_levels();
+    bool owners_changed = false;
+    if (a_family_is_shared())
+      {
+        owners_changed = share_out(/*at_once=*/true);
+        choose_levels();
+      }
+    bool flagged = false;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         const auto &iterator = locator.iterator(cell);
         if (next_level[cell] > locator.level(cell))
           iterator->set_refine_flag();
         else if (next_level[cell] < locator.level(cell))
-          {
-            if (siblings_are_own(cell))
-              iterator->set_coarsen_flag();
-            else
-              shared = true;
-          }
-        flagged = flagged || iterator->refine_flag_set() ||
-                  iterator->coarsen_flag_set();
+          iterator->set_coarsen_flag();
+        flagged = flagged || next_level[cell] != locator.level(cell);
       }
-    family_is_shared = Utilities::MPI::max(shared ? 1 : 0, communicator) == 1;
     if (Utilities::MPI::max(flagged ? 1 : 0, communicator) == 0)
-      return false;
+      return owners_changed;
     const auto before = grid.triangulation.get_checksum();
     grid.triangulation.execute_coarsening_and_refinement();
     const bool changed = before != grid.triangulation.get_checksum();
     if (Utilities::MPI::max(changed ? 1 : 0, communicator) == 0)
-      return false;
+      return owners_changed;
     locator.reinit();
     points.relocate();
     find_fluid(); // the flags of cells are those of this mesh again
     return true;
+  }
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::choose_levels()
+  {
+    wanted_level.assign(locator.n_cells(), 0.);
+    for (const auto &criterion : parameters.criteria)
+      claim(criterion);
+    grade();
+    choose_next_levels();
+  }
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::a_family_is_shared() const
+  {
+    bool shared = false;
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      shared = shared || (next_level[cell] < locator.level(cell) &&
+                          !siblings_are_own(cell));
+    return Utilities::MPI::max(shared ? 1 : 0, communicator) == 1;
   }
 
   template <int dim>
@@ -228,8 +229,10 @@ namespace seiche
   MeshAdaptation<dim>::may_coarsen(const unsigned int cell) const
   {
     const double level = locator.level(cell);
+    // A neighbour that is finer now counts even if it coarsens in this pass:
+    // the forest does not know the flags of other ranks' cells.
     for (const unsigned int other : locator.vertex_neighbors(cell))
-      if (next_level[other] > level)
+      if (std::max<double>(next_level[other], locator.level(other)) > level)
         return false;
     const auto parent = locator.iterator(cell)->parent();
     for (const auto &child : parent->child_iterators())
@@ -291,82 +294,18 @@ namespace seiche
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       if (seeds[cell])
         begin[cell] = distance[cell] = 0.;
-    locator.exchange_to_ghosts(begin);
-    for (unsigned int layer = 0; layer < layers; ++layer)
-      {
-        for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-          for (const unsigned int other : locator.vertex_neighbors(cell))
-            distance[cell] = std::min(distance[cell], begin[other]);
-        for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-          if (distance[cell] < layers * unit && !seeds[cell])
-            begin[cell] = distance[cell] + locator.lattice_size(cell);
-        locator.exchange_to_ghosts(begin);
-      }
+    until_settled(locator, begin, [&](const unsigned int cell) {
+      for (const unsigned int other : locator.vertex_neighbors(cell))
+        distance[cell] = std::min(distance[cell], begin[other]);
+      if (seeds[cell] || distance[cell] >= layers * unit)
+        return false;
+      const double before = begin[cell];
+      begin[cell]         = distance[cell] + locator.lattice_size(cell);
+      return begin[cell] != before;
+    });
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       if (distance[cell] < layers * unit)
         wanted_level[cell] = std::max(wanted_level[cell], level);
-  }
-
-  template <int dim>
-  unsigned int
-  MeshAdaptation<dim>::weight(const unsigned int cell) const
-  {
-    if (!holds_fluid[cell])
-      return weight_of_empty_cell;
-    return weight_of_cell +
-           points.n_points_in(cell) *
-             (weight_of_point +
-              (at_surface[cell] ? weight_of_quadrature_point : 0));
-  }
-
-  template <int dim>
-  double
-  MeshAdaptation<dim>::imbalance() const
-  {
-    double own = 0.;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      own += weight(cell);
-    return Utilities::MPI::max(own, communicator) *
-           Utilities::MPI::n_mpi_processes(communicator) /
-           Utilities::MPI::sum(own, communicator);
-  }
-
-  template <int dim>
-  bool
-  MeshAdaptation<dim>::share_out(const bool at_once)
-  {
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1 ||
-        (!at_once && imbalance() <= tolerated_imbalance))
-      return false;
-    // a rank's cells are one run of the space-filling curve
-    const auto own_cells = [&]() {
-      return std::make_pair(locator.n_owned(),
-                            locator.n_owned() > 0 ?
-                              locator.iterator(0)->id().to_string() :
-                              std::string());
-    };
-    const auto before = own_cells();
-
-    // the forest takes the points along with their cells
-    using ActiveCell  = typename Triangulation<dim>::active_cell_iterator;
-    const auto handle = grid.triangulation.register_data_attach(
-      [&](const auto &cell, const auto) {
-        return points.pack_cell(locator.index(ActiveCell(cell)));
-      },
-      /*returns_variable_size_data=*/true);
-    grid.repartition([&](const auto &cell) {
-      return weight(locator.index(ActiveCell(cell)));
-    });
-    std::vector<char> packed;
-    grid.triangulation.notify_ready_to_unpack(
-      handle, [&](const auto &, const auto, const auto &bytes) {
-        packed.insert(packed.end(), bytes.begin(), bytes.end());
-      });
-    locator.reinit();
-    points.replace(packed);
-    find_fluid();
-    return Utilities::MPI::max(own_cells() != before ? 1 : 0, communicator) ==
-           1;
   }
 
   template class MeshAdaptation<2>;

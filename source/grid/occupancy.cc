@@ -2,6 +2,9 @@
 #include <seiche/grid/component_partitioner.h>
 #include <seiche/grid/occupancy.h>
 #include <seiche/utilities/compatibility.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
@@ -251,10 +254,12 @@ namespace seiche
       std::accumulate(counts.begin(), counts.begin() + rank, std::uint64_t(0));
     const std::uint64_t n_global =
       std::accumulate(counts.begin() + rank, counts.end(), begin);
-    AssertThrow(n_global * dim < std::numeric_limits<int>::max(),
-                ExcMessage("More than 2^31 - 1 rows in the velocity block: "
-                           "the matrices of this deal.II have 32-bit indices. "
-                           "Use a coarser grid."));
+    if (n_global * dim > std::uint64_t(std::numeric_limits<int>::max()))
+      throw NumericalError(fmt::format(
+        "{} nodes make more than 2^31 - 1 rows in the velocity block; the "
+        "matrices of this deal.II have 32-bit indices. Choose larger cells or "
+        "smaller levels of refinement.",
+        n_global));
 
     // own numbers to the ranks that see these nodes as ghosts; doubles hold
     // integers up to 2^53

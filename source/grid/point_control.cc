@@ -86,7 +86,10 @@ namespace seiche
   {
     for (const std::uint64_t id : points.ids())
       next_id = std::max(next_id, id + 1);
-    next_id = Utilities::MPI::max(next_id, points.communicator);
+    // MPI::max would compare 64 bits as signed numbers (Open MPI 4.1)
+    for (const std::uint64_t other :
+         Utilities::MPI::all_gather(points.communicator, next_id))
+      next_id = std::max(next_id, other);
   }
 
   template <int dim>

@@ -30,11 +30,14 @@ namespace seiche
     inside.reinit(occupancy.scalar_partitioner());
     for (unsigned int i = 0; i < occupancy.n_local_nodes(); ++i)
       inside.local_element(i) = 1.;
-    // every cell at a node of an own cell is known here, at least as a ghost
     for (unsigned int cell = 0; cell < occupancy.locator.n_cells(); ++cell)
       if (fill.is_cut(cell))
         for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
           inside.local_element(occupancy.cell_nodes(cell)[a]) = 0.;
+    // an owner sees all cells around its nodes, a ghost's copy may not: the
+    // master of a hanging node lies beyond the coarse neighbour
+    inside.zero_out_ghost_values();
+    inside.update_ghost_values();
   }
 
   template <int dim>

@@ -112,8 +112,6 @@ namespace seiche
       {
         reference[d] = make_line(d, stay);
         lines[d]     = line_place ? make_line(d, line_place) : reference[d];
-        AssertThrow(lines[d].places.size() < (1u << (dim == 2 ? 31 : 21)),
-                    dealii::ExcMessage("Too many cells in one direction."));
       }
   }
 
@@ -352,6 +350,18 @@ namespace seiche
     for (unsigned int d = dim; d-- > 0;)
       result = result * (lines[d].places.size() - 1) + lattice_lower[cell][d] +
                offset[d];
+    return result;
+  }
+
+
+
+  template <int dim>
+  double
+  CellLocator<dim>::n_lattice_cells() const
+  {
+    double result = 1.;
+    for (const auto &line : lines)
+      result *= line.places.size() - 1.;
     return result;
   }
 

@@ -50,6 +50,9 @@ namespace seiche
 
   namespace
   {
+    /// Of an id: the place on the lattice; the rest is the body.
+    constexpr unsigned int id_bits = 56;
+
     /// The finalizer of splitmix64 (Steele, Lea, Flood, OOPSLA 2014).
     std::uint64_t
     mix(std::uint64_t z)
@@ -207,11 +210,14 @@ namespace seiche
       };
       if (apart(locator.box(cell)))
         return;
-      const unsigned int n = locator.lattice_size(cell);
-      for (unsigned int i = 0; i < dealii::Utilities::fixed_power<dim>(n); ++i)
+      const unsigned int  n = locator.lattice_size(cell);
+      const std::uint64_t n_boxes =
+        dealii::Utilities::fixed_power<dim>(std::uint64_t(n));
+      for (std::uint64_t i = 0; i < n_boxes; ++i)
         {
           std::array<unsigned int, dim> offset;
-          for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n)
+          std::uint64_t                 rest = i;
+          for (unsigned int d = 0; d < dim; ++d, rest /= n)
             offset[d] = rest % n;
           const auto box = locator.lattice_box(cell, offset);
           if (!apart(box))
@@ -235,7 +241,7 @@ namespace seiche
       for (unsigned int d = 0; d < dim; ++d)
         volume *= lattice.spacing[d];
       const std::uint64_t first_id =
-        (static_cast<std::uint64_t>(body_index) << 56) |
+        (static_cast<std::uint64_t>(body_index) << id_bits) |
         (lattice_index * dealii::Utilities::fixed_power<dim>(per));
 
       for (unsigned int i = 0; i < lattice.n_all; ++i)
@@ -326,6 +332,17 @@ namespace seiche
   {
     const std::vector<Body<dim>> made =
       make_bodies(bodies, input, points.locator.grid.parameters.domain());
+    const double n_places =
+      points.locator.n_lattice_cells() *
+      dealii::Utilities::fixed_power<dim>(double(parameters.per_direction));
+    input.require(n_places < std::pow(2., id_bits),
+                  "Points/Per cell and direction",
+                  fmt::format("with the finest cells everywhere there would be "
+                              "room for {:.3g} points; ids count to 2^{} in a "
+                              "body. Choose fewer, larger cells or smaller "
+                              "levels of refinement.",
+                              n_places,
+                              id_bits));
     Seeder<dim> seeder(parameters, made, density, points);
     for (unsigned int b = 0; b < made.size(); ++b)
       {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/gathered_points.h>
+#include <seiche/utilities/exceptions.h>
 
 #include <algorithm>
 #include <numeric>
@@ -27,8 +28,11 @@ namespace seiche
           offsets.push_back(static_cast<int>(total));
           total += size;
         }
-      AssertThrow(total < (std::size_t(1) << 31),
-                  ExcMessage("Too many points for one message of MPI."));
+      if (total >= (std::size_t(1) << 31))
+        throw NumericalError("more than 2^31 - 1 points cannot be gathered "
+                             "for a checkpoint or an HDF5 series; set "
+                             "Checkpoint/Every wall time = 0 and no "
+                             "Output/Point series.");
       std::vector<Number> all(total);
       const int           error = MPI_Gatherv(part.data(),
                                     static_cast<int>(part.size()),
@@ -43,37 +47,6 @@ namespace seiche
       return all;
     }
 
-    /// A column [n][components], row-major.
-    template <int dim>
-    std::vector<double>
-    interleaved(const PointCloud<dim> &points, const PointColumn column)
-    {
-      const unsigned int  n = n_components(column, dim);
-      std::vector<double> values(n * points.size());
-      for (unsigned int c = 0; c < n; ++c)
-        {
-          const double *component = points.data(column, c);
-          for (std::size_t i = 0; i < points.size(); ++i)
-            values[n * i + c] = component[i];
-        }
-      return values;
-    }
-
-    /// Rows of n numbers: row i becomes the row order[i] of @p values.
-    template <typename Number>
-    std::vector<Number>
-    reordered(const std::vector<Number>      &values,
-              const unsigned int              n,
-              const std::vector<std::size_t> &order)
-    {
-      std::vector<Number> result;
-      result.reserve(values.size());
-      for (const std::size_t i : order)
-        result.insert(result.end(),
-                      values.begin() + n * i,
-                      values.begin() + n * (i + 1));
-      return result;
-    }
   } // namespace
 
   template <int dim>
@@ -88,15 +61,26 @@ namespace seiche
                 return all[a] < all[b];
               });
 
-    ids = reordered(all, 1, order);
+    ids.reserve(all.size());
+    for (const std::size_t i : order)
+      ids.push_back(all[i]);
+    // a component at a time: the counts of a message are 32-bit
     for (const PointColumnInfo &info : point_column_table)
       if (points.has(info.column))
-        columns.emplace_back(info,
-                             reordered(gathered(interleaved(points,
-                                                            info.column),
-                                                points.communicator),
-                                       n_components(info.column, dim),
-                                       order));
+        {
+          const unsigned int  n = n_components(info.column, dim);
+          std::vector<double> values(n * order.size());
+          for (unsigned int c = 0; c < n; ++c)
+            {
+              const double *own = points.data(info.column, c);
+              const auto    component =
+                gathered(std::vector<double>(own, own + points.size()),
+                         points.communicator);
+              for (std::size_t i = 0; i < order.size(); ++i)
+                values[n * i + c] = component[order[i]];
+            }
+          columns.emplace_back(info, std::move(values));
+        }
   }
 
   template <int dim>

@@ -2,6 +2,8 @@
 #include <seiche/postprocess/field_patches.h>
 #include <seiche/postprocess/point_output.h>
 
+#include <fmt/format.h>
+
 namespace seiche
 {
   using namespace dealii;
@@ -21,8 +23,8 @@ namespace seiche
       cloud.add_scalar("volume ratio [-]");
       cloud.add_scalar("mass [kg]");
       cloud.add_scalar("radius [m]");
-      cloud.add_scalar("id low 24 bits");
-      cloud.add_scalar("id high bits");
+      for (const char *part : {"low", "middle", "high"})
+        cloud.add_scalar(fmt::format("id {} bits", part));
 
       const PointCloud<dim> &points = view.points;
       const double          *ratio  = points.data(PointColumn::volume_ratio);
@@ -40,9 +42,10 @@ namespace seiche
           patch.data(dim + 1, 0) = ratio[i];
           patch.data(dim + 2, 0) = points.data(PointColumn::mass)[i];
           patch.data(dim + 3, 0) = 0.5 * std::pow(ratio[i] * v0[i], 1. / dim);
-          patch.data(dim + 4, 0) =
-            points.ids()[i] & ((std::uint64_t(1) << exact_bits) - 1);
-          patch.data(dim + 5, 0) = points.ids()[i] >> exact_bits;
+          for (unsigned int part = 0; part < 3; ++part)
+            patch.data(dim + 4 + part, 0) =
+              (points.ids()[i] >> (part * exact_bits)) &
+              ((std::uint64_t(1) << exact_bits) - 1);
         }
       return cloud;
     }

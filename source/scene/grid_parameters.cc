@@ -16,6 +16,11 @@ namespace seiche
 {
   namespace
   {
+    /// Cells of the finest lattice along a direction: all of them are counted
+    /// in 64 bits, those along one in 32.
+    template <int dim>
+    constexpr double largest_line = dim == 2 ? 2147483647. : 2097151.;
+
     /// Entry of a side in "Walls": its name with a capital letter.
     template <int dim>
     std::string
@@ -310,7 +315,9 @@ namespace seiche
   void
   GridParameters<dim>::check_size(const InputFile &input) const
   {
-    double n_rows = dim + 1;
+    const char *entry = cells[0].empty() ? "Grid/Cell size" : "Grid/Cells x";
+    const unsigned int level  = refinement.finest_level();
+    double             n_rows = dim;
     for (unsigned int d = 0; d < dim; ++d)
       {
         // the lattice is stored as unsigned int, so test before it is made
@@ -320,11 +327,23 @@ namespace seiche
         if (cells[d].empty())
           n_cells = (upper_corner[d] - lower_corner[d]) / cell_size;
         n_rows *= n_cells + 1.;
+        const double n_finest = std::ldexp(n_cells, level);
+        input.require(n_finest < largest_line<dim>,
+                      entry,
+                      fmt::format("makes {:.3g} cells of the finest level ({}) "
+                                  "in direction {}; at most {:.3g} are "
+                                  "possible. Choose larger cells or smaller "
+                                  "levels of refinement.",
+                                  n_finest,
+                                  level,
+                                  "xyz"[d],
+                                  largest_line<dim>));
       }
     input.require(n_rows <= std::numeric_limits<int>::max(),
-                  cells[0].empty() ? "Grid/Cell size" : "Grid/Cells x",
-                  fmt::format("makes {:.3g} unknowns; at most 2^31 - 1 are "
-                              "possible. Choose larger cells.",
+                  entry,
+                  fmt::format("makes {:.3g} rows in the velocity block; at "
+                              "most 2^31 - 1 are possible. Choose larger "
+                              "cells.",
                               n_rows));
   }
 

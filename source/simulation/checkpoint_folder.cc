@@ -127,8 +127,10 @@ namespace seiche
   {
     const std::string name = fmt::format("checkpoint-{:06}.h5", step);
     Checkpoint::write(directory + "/" + name, points, state, parameters);
-    on_first_rank(communicator, [&]() { remove_others(name, current); });
+    if (name != current) // else a stop in the middle of the next step
+      previous = current;
     current = name;
+    on_first_rank(communicator, [&]() { remove_others(current, previous); });
   }
 
 

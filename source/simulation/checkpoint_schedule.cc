@@ -21,10 +21,12 @@ namespace seiche
         .count();
     }
 
+    /// True if the file is there; it is removed then. (At once, not when what
+    /// it asks for is done: another may be made in between.)
     bool
-    exists(const std::string &filename)
+    take(const std::string &filename)
     {
-      return ::access(filename.c_str(), F_OK) == 0;
+      return ::unlink(filename.c_str()) == 0;
     }
   } // namespace
 
@@ -57,22 +59,25 @@ namespace seiche
     , stop_file(directory + "/stop")
     , communicator(mpi_communicator)
     , is_first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    , last_time(wall_clock())
   {
-    done();
+    if (is_first_rank)
+      for (const std::string &filename : {write_file, stop_file})
+        take(filename);
   }
 
 
 
   CheckpointRequest
-  CheckpointSchedule::after_step(const unsigned int step) const
+  CheckpointSchedule::after_step(const unsigned int step)
   {
-    CheckpointRequest request = CheckpointRequest::none;
+    CheckpointRequest request  = CheckpointRequest::none;
+    const bool        is_asked = is_first_rank && take(write_file);
     if (parameters.every_steps > 0 && step % parameters.every_steps == 0)
       request = CheckpointRequest::write_and_restart;
-    else if (is_first_rank &&
-             (exists(write_file) ||
-              (parameters.every_wall_time > 0. &&
-               wall_clock() - last_time >= parameters.every_wall_time)))
+    else if (is_asked ||
+             (is_first_rank && parameters.every_wall_time > 0. &&
+              wall_clock() - last_time >= parameters.every_wall_time))
       request = CheckpointRequest::write;
     if (asked_to_stop())
       request = CheckpointRequest::write_and_stop;
@@ -84,7 +89,7 @@ namespace seiche
 
 
   bool
-  CheckpointSchedule::stop_is_wanted() const
+  CheckpointSchedule::stop_is_wanted()
   {
     return dealii::Utilities::MPI::max(asked_to_stop() ? 1 : 0, communicator) ==
            1;
@@ -93,10 +98,12 @@ namespace seiche
 
 
   bool
-  CheckpointSchedule::asked_to_stop() const
+  CheckpointSchedule::asked_to_stop()
   {
+    stop_file_was_seen =
+      stop_file_was_seen || (is_first_rank && take(stop_file));
     // a signal may have reached one rank only
-    return stop_signal::received() || (is_first_rank && exists(stop_file));
+    return stop_signal::received() || stop_file_was_seen;
   }
 
 
@@ -105,8 +112,5 @@ namespace seiche
   CheckpointSchedule::done()
   {
     last_time = wall_clock();
-    if (is_first_rank)
-      for (const std::string &filename : {write_file, stop_file})
-        ::unlink(filename.c_str());
   }
 } // namespace seiche

@@ -37,7 +37,10 @@ namespace seiche
     , formulation(make_formulation<dim>(scene.formulation, scene.material()))
     , points(locator, point_columns(), communicator)
     , seeding(fill_points(start))
-    , mesh_adaptation(grid, locator, points)
+    , mesh_adaptation(grid,
+                      locator,
+                      points,
+                      scene.quadrature.gauss_in_full_cells())
     , occupancy(locator, scene.formulation.degree)
     , fill(occupancy, scene.quadrature.gauss_in_full_cells())
     , point_control(scene.point_control, points, occupancy, fill)
@@ -117,10 +120,10 @@ namespace seiche
 
   template <int dim>
   bool
-  Simulation<dim>::step(const CheckpointSchedule &schedule)
+  Simulation<dim>::step(CheckpointSchedule &schedule)
   {
     const TimerTree::Scope scope(timer, "step");
-    if (time_stepper.steps() > 0)
+    if (!material_is_found)
       find_material();
     state.time = time_stepper.time();
     state.dt   = time_stepper.next_step(speed_per_cell());
@@ -141,6 +144,7 @@ namespace seiche
       formulation->update_points(points);
     }
     time_stepper.accept();
+    material_is_found = points_are_controlled = false;
     newton_total += last.iterations;
     krylov_total += last.krylov_iterations;
     return true;
@@ -171,10 +175,11 @@ namespace seiche
       occupancy.update(points);
       fill.update(points);
     }
-    if (time_stepper.steps() > 0)
+    if (time_stepper.steps() > 0 && !points_are_controlled)
       {
         const TimerTree::Scope scope(timer, "point control");
         point_control.update();
+        points_are_controlled = true;
       }
     {
       const TimerTree::Scope scope(timer, "pattern");
@@ -187,6 +192,7 @@ namespace seiche
     inertia_offset.reinit(occupancy.vector_partitioner());
     rate_offset.reinit(occupancy.vector_partitioner());
     transfer.points_to_grid(points, state);
+    material_is_found = true;
     occupied_max = std::max(occupied_max, occupancy.n_global_occupied_cells());
     unknowns_max =
       std::max<std::uint64_t>(unknowns_max,
@@ -269,9 +275,11 @@ namespace seiche
   Simulation<dim>::step_coefficients() const
   {
     StepCoefficients result = time_scheme->coefficients(state.dt);
-    if (scene.volume_relaxation_time > 0.)
-      result.volume_recovery =
-        std::min(1., state.dt / scene.volume_relaxation_time);
+    // a smaller step after a failure must ask for less, or it fails as well
+    result.volume_recovery =
+      scene.volume_relaxation_time > 0. ?
+        std::min(1., state.dt / scene.volume_relaxation_time) :
+        time_stepper.share();
     return result;
   }
 
@@ -284,7 +292,7 @@ namespace seiche
       for (unsigned int d = 0; d < dim; ++d)
         largest = std::max(largest,
                            std::abs(points.data(PointColumn::velocity, d)[p]) /
-                             locator.extent(points.cells()[p])[d]);
+                             locator.reach(points.cells()[p])[d]);
     largest = std::max(largest, wall_way(scene.time.step) / scene.time.step);
     return Utilities::MPI::max(largest, communicator);
   }

@@ -54,6 +54,7 @@ namespace seiche
     statistics.set("pressure_time [s]", view.pressure_time);
     statistics.set("newton_iterations", last.iterations);
     statistics.set("krylov_iterations", last.krylov_iterations);
+    statistics.set("occupied_cells", occupancy.n_global_occupied_cells());
     for (const auto &[name, value] : point_control.account())
       statistics.set(name, value);
     scene.postprocessors.execute(view, statistics);
@@ -77,6 +78,7 @@ namespace seiche
     summary["points"]          = points.n_global();
     summary["cells"]           = grid.triangulation.n_global_active_cells();
     summary["occupied_cells_max"] = occupied_max;
+    summary["work_imbalance"]     = mesh_adaptation.imbalance();
     summary["dofs_max"]           = unknowns_max;
     summary["end_time"]           = time_stepper.time();
     summary["steps"]              = time_stepper.steps();

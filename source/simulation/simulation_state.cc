@@ -47,6 +47,7 @@ namespace seiche
     archive("Krylov iterations", krylov_total);
     archive("occupied cells", occupied_max);
     archive("unknowns", unknowns_max);
+    archive("points are controlled", points_are_controlled);
     archive.section("time", [&]() { time_stepper.save_or_load(archive); });
     archive.section("points", [&]() { points.save_or_load(archive); });
     archive.section("point control",

@@ -59,8 +59,10 @@ namespace seiche
     CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
     const auto            &locator = occupancy.locator;
     data.coefficients              = step;
-    data.extent                    = locator.extent(cell);
-    data.size                      = std::pow(locator.measure(cell), 1. / dim);
+    if (fill.is_thin(cell) || fill.is_sliver(cell))
+      data.coefficients.jerk_constraint = 0.; // noise in spray, hard on Newton
+    data.extent = locator.extent(cell);
+    data.size   = std::pow(locator.measure(cell), 1. / dim);
     data.sliver = free_surface.sliver_treatment && fill.is_sliver(cell);
     quadrature.get(cell, data.quadrature);
 

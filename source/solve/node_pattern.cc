@@ -36,9 +36,16 @@ namespace seiche
   bool
   NodePattern<dim>::covers(const std::vector<GhostFace> &faces) const
   {
-    return std::all_of(faces.begin(), faces.end(), [&](const GhostFace &face) {
-      return covered_faces[face_index(face.lower, face.upper, face.direction)];
-    });
+    const auto &cells = occupancy.occupied_cells();
+    return std::all_of(cells.begin(),
+                       cells.end(),
+                       [&](const unsigned int cell) {
+                         return covered_cells[cell];
+                       }) &&
+           std::all_of(faces.begin(), faces.end(), [&](const GhostFace &face) {
+             return covered_faces[face_index(
+               face.lower, face.upper, face.direction)];
+           });
   }
 
   template <int dim>
@@ -57,35 +64,28 @@ namespace seiche
   void
   NodePattern<dim>::collect_couplings(const Fill<dim> &fill)
   {
-    // Groups of mutually coupled nodes: cells, and pairs of cells across the
-    // faces that may become ghost faces before the next numbering.
+    // Groups of mutually coupled nodes: cells, pairs of cells across ghost
+    // faces, each node alone.
     std::vector<unsigned int> group_begin = {0}, group_nodes;
     const auto                add_nodes   = [&](const unsigned int cell) {
       const unsigned int *nodes = occupancy.cell_nodes(cell);
       group_nodes.insert(group_nodes.end(), nodes, nodes + n_nodes);
     };
-    for (const unsigned int cell : occupancy.active_cells())
+    covered_cells.assign(occupancy.locator.n_owned(), 0);
+    for (const unsigned int cell : occupancy.occupied_cells())
       {
+        covered_cells[cell] = 1;
         add_nodes(cell);
         group_begin.push_back(group_nodes.size());
       }
     covered_faces.assign(occupancy.locator.n_cells() * 2 * dim, 0);
-    const auto near_surface = [&](const unsigned int cell) {
-      return !occupancy.is_occupied(cell) || fill.is_cut(cell);
-    };
-    occupancy.for_each_assembled_face(
-      occupancy.active_cells(),
-      [&](const unsigned int cell) { return occupancy.is_active(cell); },
-      [&](const unsigned int lower,
-          const unsigned int upper,
-          const unsigned int direction) {
-        if (!near_surface(lower) && !near_surface(upper))
-          return;
-        covered_faces[face_index(lower, upper, direction)] = 1;
-        add_nodes(lower);
-        add_nodes(upper);
+    for (const GhostFace &face : fill.ghost_faces())
+      {
+        covered_faces[face_index(face.lower, face.upper, face.direction)] = 1;
+        add_nodes(face.lower);
+        add_nodes(face.upper);
         group_begin.push_back(group_nodes.size());
-      });
+      }
 
     // groups at each node, then the union of their nodes
     const unsigned int        n_rows = occupancy.n_local_nodes();
@@ -104,6 +104,8 @@ namespace seiche
     std::vector<unsigned int> last_seen(n_rows, Occupancy<dim>::invalid);
     for (unsigned int row = 0; row < n_rows; ++row)
       {
+        last_seen[row] = row;
+        column.push_back(row);
         for (unsigned int i = at_begin[row]; i < at_begin[row + 1]; ++i)
           for (unsigned int j = group_begin[at[i]]; j < group_begin[at[i] + 1];
                ++j)
@@ -128,11 +130,12 @@ namespace seiche
     diagonal.resize(occupancy.n_own_nodes());
     for (unsigned int i = 0; i < diagonal.size(); ++i)
       diagonal[i] = entry(i, i);
-    scatter.resize(occupancy.locator.n_owned() * n_nodes * n_nodes);
-    for (const unsigned int cell : occupancy.active_cells())
+    const std::size_t n_pairs = n_nodes * n_nodes;
+    scatter.resize(occupancy.locator.n_owned() * n_pairs);
+    for (const unsigned int cell : occupancy.occupied_cells())
       {
         const unsigned int *node  = occupancy.cell_nodes(cell);
-        std::uint16_t      *table = &scatter[cell * n_nodes * n_nodes];
+        std::uint16_t      *table = &scatter[cell * n_pairs];
         for (unsigned int a = 0; a < n_nodes; ++a)
           for (unsigned int b = 0; b < n_nodes; ++b)
             *table++ = entry(node[a], node[b]) - begin_of_row[node[a]];

@@ -17,8 +17,8 @@ namespace seiche
   namespace
   {
     /// After this many good steps a reduced size grows by this factor.
-    constexpr unsigned int steps_before_growth = 5;
-    constexpr double       growth              = 1.2;
+    constexpr unsigned int steps_before_growth = 3;
+    constexpr double       growth              = 1.5;
 
     /// Halvings of the step before giving up, if no smallest step is given.
     constexpr double default_smallest_share = 1. / 1024.;

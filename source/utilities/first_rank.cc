@@ -18,7 +18,7 @@ namespace seiche
         {
           function();
         }
-      catch (const FileError &error)
+      catch (const std::exception &error)
         {
           problem = error.what();
         }

@@ -117,7 +117,7 @@ namespace
     PointCloud<dim>          points(locator, {}, communicator);
     seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
     print("points ", points.n_global());
-    MeshAdaptation<dim> adaptation(grid, locator, points);
+    MeshAdaptation<dim> adaptation(grid, locator, points, /*gauss=*/true);
     print_levels("cells by level:", locator);
     print("points ", points.n_global());
     print("a second pass changes the mesh: ",
@@ -214,7 +214,7 @@ namespace
     CellLocator<dim>    locator(grid);
     PointCloud<dim>     points(locator, {}, communicator);
     seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
-    MeshAdaptation<dim> adaptation(grid, locator, points);
+    MeshAdaptation<dim> adaptation(grid, locator, points, /*gauss=*/true);
     print_levels("deep fluid, cells by forest level:", locator);
   }
 } // namespace

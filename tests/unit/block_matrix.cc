@@ -127,7 +127,10 @@ namespace
       , points(locator, {}, communicator)
     {
       seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
-      adaptation = std::make_unique<MeshAdaptation<dim>>(grid, locator, points);
+      adaptation = std::make_unique<MeshAdaptation<dim>>(grid,
+                                                         locator,
+                                                         points,
+                                                         /*gauss=*/true);
       occupancy  = std::make_unique<Occupancy<dim>>(locator, /*degree=*/1);
       occupancy->update(points);
       fill = std::make_unique<Fill<dim>>(*occupancy, /*gauss=*/true);

@@ -186,7 +186,7 @@ namespace
     seiche::seed_bodies(
       scene.seeding, scene.bodies, scene.input, /*density=*/100., points);
     if (adaptive)
-      seiche::MeshAdaptation<dim>(grid, locator, points);
+      seiche::MeshAdaptation<dim>(grid, locator, points, /*gauss=*/true);
     seiche::Occupancy<dim> occupancy(locator, degree);
     occupancy.update(points);
     seiche::Fill<dim> fill(occupancy, /*gauss=*/true);

@@ -25,14 +25,17 @@ namespace seiche
   {
   public:
     /// Adapts the mesh to the points as they are and shares it out. References
-    /// must outlive the object. Collective.
+    /// must outlive the object. @p gauss_in_full_cells: as in Fill. Collective.
     MeshAdaptation(BackgroundGrid<dim> &grid,
                    CellLocator<dim>    &locator,
-                   PointCloud<dim>     &points);
+                   PointCloud<dim>     &points,
+                   const bool           gauss_in_full_cells);
 
-    /// Adapt and share out if step number @p step asks for it, or at once if
-    /// the free surface touches a cell coarser than its level. True if the
-    /// mesh or the owners have changed. Collective.
+    /// Adapt in one pass and share out if step number @p step asks for it, or
+    /// at once if the free surface has come to fluid coarser than its level.
+    /// (What one pass leaves to do, the next step's does: a pass costs as much
+    /// as a Newton iteration.) True if the mesh or the owners have changed.
+    /// Collective.
     bool
     update(const unsigned int step);
 
@@ -41,11 +44,12 @@ namespace seiche
     imbalance() const;
 
   private:
-    /// One pass of refinement and coarsening; false if nothing changed.
+    /// One pass of refinement and coarsening; false if nothing changed, not
+    /// even owners.
     bool
     adapt();
-    /// Until nothing changes.
-    bool
+    /// Until nothing changes, sharing out.
+    void
     adapt_fully();
     bool
     surface_left_its_level() const;
@@ -68,6 +72,12 @@ namespace seiche
     /// forest does as it is told.
     void
     grade();
+    /// The levels that a pass is to lead to.
+    void
+    choose_levels();
+    /// True if cells to coarsen have siblings that another rank owns.
+    bool
+    a_family_is_shared() const;
     /// What a pass makes of wanted_level: one level up or down. A family
     /// coarsens as a whole, and not beside a cell that stays too fine for it;
     /// flags that the forest refuses would cost as much as those it obeys.
@@ -77,17 +87,22 @@ namespace seiche
     may_coarsen(const unsigned int cell) const;
     bool
     siblings_are_own(const unsigned int cell) const;
+
+    /// Work in a cell, for the forest to share out.
     unsigned int
     weight(const unsigned int cell) const;
+
+    /// Nodes of an own cell with fluid, each shared with the cells around it
+    /// that have fluid too; an estimate from their number.
+    double
+    nodes(const unsigned int cell) const;
 
     BackgroundGrid<dim>             &grid;
     CellLocator<dim>                &locator;
     PointCloud<dim>                 &points;
     const RefinementParameters<dim> &parameters;
+    const bool                       gauss_in_full_cells;
     const MPI_Comm                   communicator;
-
-    /// The last pass found cells to coarsen whose siblings another rank owns.
-    bool family_is_shared = false;
 
     // own cells and ghosts (at_surface: own cells)
     std::vector<char>   holds_fluid, at_surface;

@@ -187,6 +187,10 @@ namespace seiche
     lattice_index(const unsigned int                   cell,
                   const std::array<unsigned int, dim> &offset = {}) const;
 
+    /// Number of cells of that lattice; a double holds it where 64 bits do not.
+    double
+    n_lattice_cells() const;
+
     /// Box of that lattice cell.
     dealii::BoundingBox<dim>
     lattice_box(const unsigned int                   cell,

@@ -60,7 +60,8 @@ namespace seiche
     const std::string     directory;
     const ParameterValues parameters;
     const MPI_Comm        communicator;
-    std::string           current; ///< known to be sound; empty: none
+    std::string           current;  ///< known to be sound; empty: none
+    std::string           previous; ///< the one before
   };
 } // namespace seiche
 

@@ -45,28 +45,28 @@ namespace seiche
 
     /// After step number @p step; the same answer on all ranks. Collective.
     CheckpointRequest
-    after_step(const unsigned int step) const;
+    after_step(const unsigned int step);
 
     /// True if the run is asked to stop; between two tries of a step, which
     /// may take long. Collective.
     bool
-    stop_is_wanted() const;
+    stop_is_wanted();
 
-    /// What was asked for is done: the next waiting time begins, and the files
-    /// that asked for it are removed. Local.
+    /// A checkpoint is written: the next waiting time begins. Local.
     void
     done();
 
   private:
     /// Of this rank. Local.
     bool
-    asked_to_stop() const;
+    asked_to_stop();
 
     const CheckpointParameters parameters;
     const std::string          write_file, stop_file;
     const MPI_Comm             communicator;
     const bool                 is_first_rank;
     double                     last_time; ///< [s] wall clock
+    bool                       stop_file_was_seen = false;
   };
 } // namespace seiche
 

@@ -68,7 +68,7 @@ namespace seiche
     /// False if the run was asked to stop while a step was being repeated: the
     /// points are as they were at its start.
     bool
-    step(const CheckpointSchedule &schedule);
+    step(CheckpointSchedule &schedule);
 
     /// Occupied cells, fill, nodal fields of the points where they are.
     void
@@ -156,6 +156,9 @@ namespace seiche
     StatisticsTable                         statistics;
 
     typename GridState<dim>::Vector inertia_offset, rate_offset;
+
+    bool material_is_found     = false; ///< where the points are now
+    bool points_are_controlled = false; ///< PointControl has seen to them
 
     NewtonResult  last; ///< of the step just done
     std::uint64_t newton_total = 0, krylov_total = 0;

@@ -15,11 +15,11 @@ namespace seiche
    *
    * Rows are the own and ghost nodes of the compact numbering (Occupancy).
    * Columns are own nodes, then all others that a row couples with, in the
-   * order of columns(). A pattern lives for the active cells and the faces
-   * near the surface, until the numbering changes or a ghost face outside it
-   * appears. Each rank assembles into rows of own and of ghost nodes;
-   * add_to_owners() sends the latter, which are stored by owner, away as they
-   * lie. (A rank's own rows know the columns of all ranks.)
+   * order of columns(). A pattern lives until the numbering changes or a cell
+   * becomes occupied, or a ghost face appears, that is not in it. Each rank
+   * assembles into rows of own and of ghost nodes; add_to_owners() sends the
+   * latter, which are stored by owner, away as they lie. (A rank's own rows
+   * know the columns of all ranks.)
    */
   template <int dim>
   class NodePattern
@@ -84,7 +84,7 @@ namespace seiche
     const std::uint16_t *
     cell_entries(const unsigned int cell) const
     {
-      return &scatter[cell * n_nodes * n_nodes];
+      return &scatter[std::size_t(cell) * n_nodes * n_nodes];
     }
 
     /// Layout of a vector over the columns with @p components entries a node.
@@ -146,6 +146,7 @@ namespace seiche
     std::vector<unsigned int>  diagonal;       // [n_own_nodes]
     std::vector<unsigned int>  column_of_node; // [n_local_nodes]
     std::vector<std::uint16_t> scatter;        // [cell][a][b]
+    std::vector<char>          covered_cells;  // [own cell]
     std::vector<char>          covered_faces;  // by face_index()
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> columns;
     std::vector<Exchange>                                      sent, received;

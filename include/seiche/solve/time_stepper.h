@@ -69,6 +69,12 @@ namespace seiche
     {
       return now;
     }
+    /// Of the step's size after failures: 1, or the share that is tried.
+    double
+    share() const
+    {
+      return reduction;
+    }
     bool
     finished() const;
     unsigned int
