@@ -279,7 +279,7 @@ namespace seiche
     CellField<dim, degree>    u;
     double                    p_nodal[n_nodes] = {}, volume_nodal[n_nodes] = {};
     const typename GridState<dim>::Vector volume_change =
-      mean_volume ? nodal_volume_change(occupancy, points, state) :
+      mean_volume ? nodal_volume_change(fill, points, state) :
                     typename GridState<dim>::Vector();
     Block<dim, degree> block;
     for_each_block(

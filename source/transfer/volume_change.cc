@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/transfer/point_arrays.h>
 #include <seiche/transfer/point_block.h>
 #include <seiche/transfer/volume_change.h>
 
-#include <numeric>
+#include <algorithm>
 
 namespace seiche
 {
@@ -10,62 +11,94 @@ namespace seiche
 
   namespace
   {
-    /// det(I + grad u), @p derivatives of the shape functions in the unit cell
-    /// [n_nodes][dim], @p extent of the cell [m].
+    /// det(I + grad u) in the middle of a cell.
     template <int dim, int degree>
     double
-    determinant_of(const CellField<dim, degree> &u,
-                   const double                  derivatives[][dim],
-                   const Tensor<1, dim>         &extent)
+    central_determinant(const CellField<dim, degree> &u,
+                        const Tensor<1, dim>         &extent)
     {
+      constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+      double                 N[n_nodes], derivatives[n_nodes][dim];
+      Point<dim>             centre;
+      for (unsigned int d = 0; d < dim; ++d)
+        centre[d] = 0.5;
+      TensorShape<dim, degree>::evaluate(centre, N, derivatives);
       Tensor<2, dim> F;
       for (unsigned int d = 0; d < dim; ++d)
         {
           F[d][d] += 1.;
-          for (unsigned int a = 0; a < u.n_nodes; ++a)
+          for (unsigned int a = 0; a < n_nodes; ++a)
             for (unsigned int c = 0; c < dim; ++c)
               F[c][d] += derivatives[a][d] / extent[d] * u.values[c][a];
         }
       return determinant(F);
     }
 
+
+
+    /// sum N_I V times the cell's det(I + grad u), and sum N_I V.
     template <int dim, int degree>
     void
-    add_cells(const Occupancy<dim>            &occupancy,
+    add_cells(const Fill<dim>                 &fill,
               const PointCloud<dim>           &points,
               const GridState<dim>            &state,
               typename GridState<dim>::Vector &sum,
               typename GridState<dim>::Vector &weight)
     {
-      using Shape                    = TensorShape<dim, degree>;
-      constexpr unsigned int n_nodes = Shape::n_nodes;
-      const double          *mass    = points.data(PointColumn::mass);
+      constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+      constexpr double       equal   = 1. / n_nodes; // N_I may be negative
+      const PointArrays<dim, const PointCloud<dim>> arrays(points);
+      const Occupancy<dim>                         &occupancy = fill.occupancy;
+      const double *initial = points.data(PointColumn::initial_volume);
+      const auto   &locator = points.locator;
+
       CellField<dim, degree> u;
-      double                 N[n_nodes], derivatives[n_nodes][dim];
-      Point<dim>             centre;
-      for (unsigned int d = 0; d < dim; ++d)
-        centre[d] = 0.5;
-      Shape::evaluate(centre, N, derivatives);
+      Block<dim, degree>     block;
+      double                 shares[n_nodes], volume = 0., volume_then = 0.;
       for (const unsigned int cell : occupancy.occupied_cells())
         {
           u.gather(state.displacement().begin(), occupancy, cell);
-          const double m = std::accumulate(mass + points.first_point(cell),
-                                           mass + points.first_point(cell + 1),
-                                           0.);
+          std::fill_n(shares, n_nodes, 0.);
+          volume = volume_then  = 0.;
+          const std::size_t end = points.first_point(cell + 1);
+          for (std::size_t first = points.first_point(cell); first < end;
+               first += n_lanes)
+            {
+              const unsigned int n =
+                std::min<std::size_t>(n_lanes, end - first);
+              block.reinit(arrays,
+                           first,
+                           n,
+                           locator.lower_corner(cell),
+                           locator.extent(cell));
+              double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes];
+              double det[n_lanes];
+              block.field_gradient(u, /*add_identity=*/true, F);
+              determinant_and_cofactors<dim>(F, det, cofactor);
+              for (unsigned int l = 0; l < n; ++l)
+                {
+                  const double V =
+                    arrays.volume_ratio[first + l] * initial[first + l];
+                  volume += V;
+                  volume_then += V * det[l];
+                  for (unsigned int a = 0; a < n_nodes; ++a)
+                    shares[a] += (degree == 1 ? block.N[a][l] : equal) * V;
+                }
+            }
+          const double gauss = fill.gauss_weight(cell);
           const double det =
-            determinant_of<dim, degree>(u,
-                                        derivatives,
-                                        points.locator.extent(cell));
-          double sums[n_nodes], weights[n_nodes];
-          std::fill_n(sums, n_nodes, m * det);
-          std::fill_n(weights, n_nodes, m);
+            gauss * central_determinant(u, locator.extent(cell)) +
+            (1. - gauss) * volume_then / volume;
+          double sums[n_nodes];
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            sums[a] = det * shares[a];
           occupancy.condense(cell, sums);
-          occupancy.condense(cell, weights);
+          occupancy.condense(cell, shares);
           for (unsigned int a = 0; a < n_nodes; ++a)
             {
               const unsigned int node = occupancy.cell_nodes(cell)[a];
               sum.local_element(node) += sums[a];
-              weight.local_element(node) += weights[a];
+              weight.local_element(node) += shares[a];
             }
         }
     }
@@ -73,15 +106,16 @@ namespace seiche
 
   template <int dim>
   typename GridState<dim>::Vector
-  nodal_volume_change(const Occupancy<dim>  &occupancy,
+  nodal_volume_change(const Fill<dim>       &fill,
                       const PointCloud<dim> &points,
                       const GridState<dim>  &state)
   {
+    const Occupancy<dim>           &occupancy = fill.occupancy;
     typename GridState<dim>::Vector result(occupancy.scalar_partitioner()),
       weight(occupancy.scalar_partitioner());
     with_degree(occupancy.fe.degree, [&](const auto degree) {
       add_cells<dim, decltype(degree)::value>(
-        occupancy, points, state, result, weight);
+        fill, points, state, result, weight);
     });
     result.compress(VectorOperation::add);
     weight.compress(VectorOperation::add);
@@ -93,11 +127,11 @@ namespace seiche
   }
 
   template GridState<2>::Vector
-  nodal_volume_change(const Occupancy<2> &,
+  nodal_volume_change(const Fill<2> &,
                       const PointCloud<2> &,
                       const GridState<2> &);
   template GridState<3>::Vector
-  nodal_volume_change(const Occupancy<3> &,
+  nodal_volume_change(const Fill<3> &,
                       const PointCloud<3> &,
                       const GridState<3> &);
 } // namespace seiche

@@ -2,6 +2,7 @@
 #ifndef seiche_transfer_volume_change_h
 #define seiche_transfer_volume_change_h
 
+#include <seiche/grid/fill.h>
 #include <seiche/grid/grid_state.h>
 #include <seiche/points/point_cloud.h>
 
@@ -9,8 +10,12 @@ namespace seiche
 {
   /**
    * @brief Change of volume in a step, det(I + grad u), as a nodal field: mean
-   * over the cells at a node of the value in the cell's centre, weighted by the
-   * mass in the cell.
+   * over the points' cells, weighted by N_I V (degree 2: by V).
+   *
+   * In a cell with Gauss points it is the value in the middle, which is close
+   * to their mean, else the mean of the points. With the same N_I on the way
+   * back to the points the sum of their volumes changes as much as the cells
+   * say (degree 1).
    *
    * The constraint of the mixed form holds for nodal averages; within a cell
    * det f varies, which is an error of the elements, not a change of density.
@@ -22,7 +27,7 @@ namespace seiche
    */
   template <int dim>
   typename GridState<dim>::Vector
-  nodal_volume_change(const Occupancy<dim>  &occupancy,
+  nodal_volume_change(const Fill<dim>       &fill,
                       const PointCloud<dim> &points,
                       const GridState<dim>  &state);
 } // namespace seiche
