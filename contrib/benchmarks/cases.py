@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is compared: scenes, runs of each code, errors. See `benchmark`."""
+
+import csv
+import math
+import os
+from dataclasses import dataclass
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+
+@dataclass
+class Run:
+    name: str
+    code: str  # of codes.CODES
+    arguments: list
+    reference: str = None  # name of the run that its errors are taken against
+    is_reference: bool = False
+
+
+@dataclass
+class Case:
+    title: str
+    runs: list
+    errors: dict  # {column: function(run folder, folder of the reference run or None)}
+    time: str = "cpu_seconds"  # what the plot has on its axis
+
+    def rows(self, results):
+        """A dictionary a run: name, best and median times, errors. `results`:
+        [(run, [(result, folder)])]."""
+        folders = {run.name: rounds[0][1] for run, rounds in results if rounds}
+        rows = []
+        for run, rounds in results:
+            if not rounds:
+                continue
+            first, folder = rounds[0]
+            row = {"run": run.name, "version": first["version"], "rounds": len(rounds),
+                   "steps": first["steps"], "newton": first.get("newton"),
+                   "krylov": first.get("krylov"), "is_reference": run.is_reference}
+            for key in ("cpu_seconds", "seconds_a_step", "start_seconds"):
+                values = sorted(r[key] for r, _ in rounds if r.get(key) is not None)
+                row[key] = values[0] if values else None
+                row[key + " median"] = values[len(values) // 2] if values else None
+            reference = folders.get(run.reference)
+            for name, function in self.errors.items():
+                needs = run.reference is not None
+                row[name] = None if run.is_reference or (needs and reference is None) \
+                    else function(folder, reference)
+            rows.append(row)
+        return rows
+
+
+# ---- errors ----
+
+
+def read_curves(path, name="curves.csv"):
+    with open(os.path.join(path, name), newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    return {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
+
+
+def interpolate(x, xs, ys):
+    """Linear; constant outside."""
+    if x <= xs[0]:
+        return ys[0]
+    for i in range(1, len(xs)):
+        if x <= xs[i]:
+            return ys[i - 1] + (ys[i] - ys[i - 1]) * (x - xs[i - 1]) / (xs[i] - xs[i - 1])
+    return ys[-1]
+
+
+def rms_difference(column, begin, end, scale):
+    """rms over 50 times in begin..end of the difference to the reference run, over scale."""
+
+    def error(folder, reference):
+        ours, theirs = read_curves(folder), read_curves(reference)
+        times = [begin + (end - begin) * (i + 0.5) / 50 for i in range(50)]
+        squares = [(interpolate(t, ours["t"], ours[column])
+                    - interpolate(t, theirs["t"], theirs[column])) ** 2 for t in times]
+        return math.sqrt(sum(squares) / len(squares)) / scale
+
+    return error
+
+
+def centre_pressure(folder, _):
+    """rms of p(centre) of the patch over omega t <= 1.75, in rho omega^2 L^2."""
+    table = os.path.join(ROOT, "prm", "benchmarks", "rotating_patch", "reference")
+    exact = read_curves(table, "centre_pressure.csv")
+    time, pressure = list(exact.values())[:2]
+    curves, total, weight = read_curves(folder), 0.0, 0.0
+    last = 0.0
+    for t, end, p in zip(curves["t_pressure"], curves["t"], curves["p_centre"]):
+        if end > 1.7501:
+            break
+        total += (end - last) * (p - interpolate(t, time, pressure)) ** 2
+        weight, last = weight + end - last, end
+    return math.sqrt(total / weight)
+
+
+# ---- cases ----
+
+DAM = "benchmarks/dam_break_2d/dam_break_2d.prm"
+PATCH = "benchmarks/rotating_patch/rotating_patch.prm"
+COLUMN = "benchmarks/column_collapse_3d/column_collapse_3d.prm"
+H_DAM = {  # cells that a refinement of the coarse mesh can make
+    "0.05": [], "0.025": ["Grid/Cells x = 48, 80", "Grid/Cells y = 24, 96", "Time/Step = 0.005"],
+    "0.0125": ["Grid/Cells x = 96, 160", "Grid/Cells y = 48, 192", "Time/Step = 0.0025"],
+}
+# As Kratos: displacements alone, Newmark, the points as quadrature, one step size.
+LIKE_KRATOS = [
+    "Formulation/Name = displacement", "Fluid/Bulk modulus = 1e5", "Quadrature/Rule = material points",
+    "Time/Scheme = newmark", "Time/Step control = fixed", "Time/Step = 0.001",
+    "Transfer/Method = FLIP acceleration", "Solver/Newton tolerance = 1e-4",
+    "Free surface/Ghost acceleration = 0", "Free surface/Ghost velocity = 0",
+    "Free surface/Sliver treatment = false", "Volume/Relaxation time = 0",
+]
+
+
+def dam_break():
+    runs = [Run("seiche reference h 0.0125 CFL 0.25", "seiche",
+                [DAM, *H_DAM["0.0125"], "Time/CFL number = 0.25", "Time/End time = 0.65"],
+                is_reference=True),
+            Run("interFoam reference h 0.0125 Co 0.25", "openfoam",
+                ["dam_break", "--h", "0.0125", "--co", "0.25", "--tight", "--end", "0.65"],
+                is_reference=True)]
+    for h, entries in H_DAM.items():
+        runs.append(Run(f"seiche h {h}", "seiche", [DAM, *entries], runs[0].name))
+        runs.append(Run(f"interFoam h {h} Co 1", "openfoam", ["dam_break", "--h", h, "--co", "1"],
+                        runs[1].name))
+    return Case("Dam break in two dimensions to 2.5 s; errors against each code's own run with "
+                "h 0.0125 m and a Courant number of 0.25", runs,
+                {"front": rms_difference("front", 0, 0.5, 0.6),
+                 "height": rms_difference("height", 0, 0.6, 0.6)})
+
+
+def rotating_patch():
+    runs = []
+    for h, dt in (("0.05", "0.05"), ("0.05", "0.025"), ("0.025", "0.0125")):
+        runs.append(Run(f"seiche h {h} dt {dt}", "seiche",
+                        [PATCH, f"Grid/Cell size = {h}", f"Time/Step = {dt}"]))
+    for h in ("0.05", "0.025"):
+        runs.append(Run(f"interFoam h {h} Co 0.25", "openfoam",
+                        ["patch", "--h", h, "--co", "0.25", "--end", "1.75"]))
+    return Case("Rotating square patch to omega t = 1.75", runs, {"p(centre)": centre_pressure})
+
+
+def kratos_2d():
+    runs = [Run("kratos", "kratos", ["--h", "0.05", "--points", "16", "--steps", "50"]),
+            Run("seiche, same settings", "seiche", [DAM, *LIKE_KRATOS, "Time/End time = 0.05"]),
+            Run("seiche, mixed, defaults", "seiche",
+                [DAM, "Time/Step control = fixed", "Time/Step = 0.001", "Time/End time = 0.05"])]
+    return Case("Dam break, h 0.05 m, dt 0.001 s, 16 points a cell, 50 steps", runs, {},
+                "seconds_a_step")
+
+
+def kratos_3d():
+    runs = [Run("kratos, amgcl", "kratos",
+                ["--dim", "3", "--h", "0.02", "--points", "8", "--steps", "10", "--amgcl"]),
+            Run("seiche, same settings", "seiche", [COLUMN, *LIKE_KRATOS, "Time/End time = 0.02"]),
+            Run("seiche, mixed, defaults", "seiche", [COLUMN, "Time/End time = 0.04"])]
+    return Case("Column in three dimensions, 8000 cells, 64000 points", runs, {}, "seconds_a_step")
+
+
+CASES = {"dam_break_2d": dam_break(), "rotating_patch": rotating_patch(),
+         "kratos_2d": kratos_2d(), "kratos_3d": kratos_3d()}

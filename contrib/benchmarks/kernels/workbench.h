@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef contrib_benchmarks_kernels_workbench_h
+#define contrib_benchmarks_kernels_workbench_h
+
+#include <seiche/grid/wall_conditions.h>
+#include <seiche/simulation/scene.h>
+#include <seiche/solve/velocity_projection.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+/// The parameters of a scene, read as the program reads them.
+template <int dim>
+struct ParsedScene
+{
+  ParsedScene(const std::string              &filename,
+              const std::vector<std::string> &overrides)
+    : input(filename, overrides)
+    , scene(input)
+  {
+    dealii::ParameterHandler prm;
+    seiche::InputFile::declare_dimension(prm);
+    scene.add_parameters(prm);
+    input.parse_into(prm);
+    scene.check(input);
+  }
+
+  seiche::InputFile  input;
+  seiche::Scene<dim> scene;
+};
+
+/**
+ * @brief A scene at its start, as Simulation sets it up, with its objects in
+ * the open: what a kernel needs to be called again and again.
+ */
+template <int dim>
+struct Workbench : ParsedScene<dim>
+{
+  using Vector      = typename seiche::GridState<dim>::Vector;
+  using BlockVector = typename seiche::GridState<dim>::BlockVector;
+  using ParsedScene<dim>::scene;
+
+  Workbench(const std::string              &filename,
+            const std::vector<std::string> &overrides)
+    : ParsedScene<dim>(filename, overrides)
+    , grid(scene.grid, MPI_COMM_WORLD)
+    , locator(grid)
+    , time_scheme(seiche::make_time_scheme<dim>(scene.time_scheme))
+    , formulation(
+        seiche::make_formulation<dim>(scene.formulation, scene.material()))
+    , points(locator,
+             seiche::Transfer<dim>::columns(scene.transfer),
+             MPI_COMM_WORLD)
+    , occupancy(locator, scene.formulation.degree)
+    , fill(occupancy, scene.quadrature.gauss_in_full_cells())
+    , quadrature(seiche::make_quadrature(scene.quadrature,
+                                         points,
+                                         fill,
+                                         scene.fluid.density,
+                                         /*incompressible=*/true))
+    , body_force(scene.body_force, scene.input)
+    , wall_motion(scene.grid, scene.input, scene.time.end_time)
+    , wall_velocity(scene.grid, scene.input)
+    , wall_conditions(wall_velocity, wall_motion, occupancy)
+    , transfer(scene.transfer,
+               fill,
+               scene.fluid.density,
+               scene.uses_mean_volume())
+    , matrix(occupancy, formulation->has_pressure())
+    , assembler(*formulation,
+                *quadrature,
+                fill,
+                body_force,
+                scene.free_surface,
+                timer)
+    , solver(scene.linear_solver, scene.material(), timer)
+    , projection(assembler,
+                 matrix,
+                 solver,
+                 scene.linear_solver.projection_tolerance)
+  {
+    seiche::seed_bodies(scene.seeding,
+                        scene.bodies,
+                        scene.input,
+                        scene.fluid.density,
+                        points);
+    occupancy.update(points);
+    fill.update(points);
+    matrix.reinit(fill);
+    state.reinit(occupancy, formulation->has_pressure(), false);
+    state.dt = scene.time.step;
+    inertia_offset.reinit(occupancy.vector_partitioner());
+    rate_offset.reinit(occupancy.vector_partitioner());
+    transfer.points_to_grid(points, state);
+    wall_conditions.set_start_velocity(state);
+    time_scheme->predict(state);
+    time_scheme->offsets(state, state.dt, inertia_offset, rate_offset);
+    const seiche::StepCoefficients step = time_scheme->coefficients(state.dt);
+    wall_conditions.set_displacement(state, step, rate_offset);
+    assembler.begin(step, 0., inertia_offset, rate_offset);
+    residual.reinit(state.solution);
+    solution.reinit(state.solution);
+    assembler.residual(state, residual);
+    assembler.tangent(state, matrix);
+  }
+
+  seiche::TimerTree                               timer;
+  seiche::BackgroundGrid<dim>                     grid;
+  seiche::CellLocator<dim>                        locator;
+  const std::unique_ptr<seiche::TimeScheme<dim>>  time_scheme;
+  const std::unique_ptr<seiche::Formulation<dim>> formulation;
+  seiche::PointCloud<dim>                         points;
+  seiche::Occupancy<dim>                          occupancy;
+  seiche::Fill<dim>                               fill;
+  const std::unique_ptr<seiche::Quadrature<dim>>  quadrature;
+  const seiche::BodyForce<dim>                    body_force;
+  const seiche::WallMotion<dim>                   wall_motion;
+  const seiche::WallVelocity<dim>                 wall_velocity;
+  const seiche::WallConditions<dim>               wall_conditions;
+  const seiche::Transfer<dim>                     transfer;
+  seiche::BlockMatrix<dim>                        matrix;
+  seiche::Assembler<dim>                          assembler;
+  seiche::LinearSolver<dim>                       solver;
+  seiche::VelocityProjection<dim>                 projection;
+  seiche::GridState<dim>                          state;
+  Vector                                          inertia_offset, rate_offset;
+  BlockVector                                     residual, solution;
+};
+
+#endif
