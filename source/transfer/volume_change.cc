@@ -11,28 +11,38 @@ namespace seiche
 
   namespace
   {
-    /// det(I + grad u) in the middle of a cell.
+    /// Derivatives of the shape functions in the middle of the unit cell.
     template <int dim, int degree>
-    double
-    central_determinant(const CellField<dim, degree> &u,
-                        const Tensor<1, dim>         &extent)
+    struct CellMiddle
     {
-      constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
-      double                 N[n_nodes], derivatives[n_nodes][dim];
-      Point<dim>             centre;
-      for (unsigned int d = 0; d < dim; ++d)
-        centre[d] = 0.5;
-      TensorShape<dim, degree>::evaluate(centre, N, derivatives);
-      Tensor<2, dim> F;
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          F[d][d] += 1.;
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            for (unsigned int c = 0; c < dim; ++c)
-              F[c][d] += derivatives[a][d] / extent[d] * u.values[c][a];
-        }
-      return determinant(F);
-    }
+      static constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+
+      double N[n_nodes], derivatives[n_nodes][dim];
+
+      CellMiddle()
+      {
+        Point<dim> centre;
+        for (unsigned int d = 0; d < dim; ++d)
+          centre[d] = 0.5;
+        TensorShape<dim, degree>::evaluate(centre, N, derivatives);
+      }
+
+      /// det(I + grad u)
+      double
+      determinant_of(const CellField<dim, degree> &u,
+                     const Tensor<1, dim>         &extent) const
+      {
+        Tensor<2, dim> F;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            F[d][d] += 1.;
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              for (unsigned int c = 0; c < dim; ++c)
+                F[c][d] += derivatives[a][d] / extent[d] * u.values[c][a];
+          }
+        return determinant(F);
+      }
+    };
 
 
 
@@ -52,14 +62,15 @@ namespace seiche
       const double *initial = points.data(PointColumn::initial_volume);
       const auto   &locator = points.locator;
 
-      CellField<dim, degree> u;
-      Block<dim, degree>     block;
-      double                 shares[n_nodes], volume = 0., volume_then = 0.;
+      const CellMiddle<dim, degree> middle;
+      CellField<dim, degree>        u;
+      Block<dim, degree>            block;
+      double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes], det[n_lanes];
       for (const unsigned int cell : occupancy.occupied_cells())
         {
           u.gather(state.displacement().begin(), occupancy, cell);
-          std::fill_n(shares, n_nodes, 0.);
-          volume = volume_then  = 0.;
+          const double      gauss           = fill.gauss_weight(cell);
+          double            shares[n_nodes] = {}, volume = 0., volume_then = 0.;
           const std::size_t end = points.first_point(cell + 1);
           for (std::size_t first = points.first_point(cell); first < end;
                first += n_lanes)
@@ -71,27 +82,28 @@ namespace seiche
                            n,
                            locator.lower_corner(cell),
                            locator.extent(cell));
-              double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes];
-              double det[n_lanes];
-              block.field_gradient(u, /*add_identity=*/true, F);
-              determinant_and_cofactors<dim>(F, det, cofactor);
+              if (gauss < 1.)
+                {
+                  block.field_gradient(u, /*add_identity=*/true, F);
+                  determinant_and_cofactors<dim>(F, det, cofactor);
+                }
               for (unsigned int l = 0; l < n; ++l)
                 {
                   const double V =
                     arrays.volume_ratio[first + l] * initial[first + l];
                   volume += V;
-                  volume_then += V * det[l];
+                  if (gauss < 1.)
+                    volume_then += V * det[l];
                   for (unsigned int a = 0; a < n_nodes; ++a)
                     shares[a] += (degree == 1 ? block.N[a][l] : equal) * V;
                 }
             }
-          const double gauss = fill.gauss_weight(cell);
-          const double det =
-            gauss * central_determinant(u, locator.extent(cell)) +
+          const double change =
+            gauss * middle.determinant_of(u, locator.extent(cell)) +
             (1. - gauss) * volume_then / volume;
           double sums[n_nodes];
           for (unsigned int a = 0; a < n_nodes; ++a)
-            sums[a] = det * shares[a];
+            sums[a] = change * shares[a];
           occupancy.condense(cell, sums);
           occupancy.condense(cell, shares);
           for (unsigned int a = 0; a < n_nodes; ++a)

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <exception>
 #include <string>
 
 namespace seiche

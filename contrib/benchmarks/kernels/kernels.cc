@@ -70,6 +70,17 @@ namespace
                             bench.occupancy.n_global_occupied_cells());
   }
 
+  /// What an assembly takes its time for.
+  template <int dim>
+  void
+  count(benchmark::State &state, const Workbench<dim> &bench, const Cells cells)
+  {
+    if (cells == Cells::surface)
+      count_points(state, bench);
+    else
+      count_cells(state, bench);
+  }
+
   template <int dim>
   void
   points_to_grid(benchmark::State &state)
@@ -135,10 +146,7 @@ namespace
     auto &bench = workbench<dim>(cells);
     for (auto _ : state)
       bench.assembler.residual(bench.state, bench.residual);
-    if (cells == Cells::surface)
-      count_points(state, bench);
-    else
-      count_cells(state, bench);
+    count(state, bench, cells);
   }
 
   template <int dim, Cells cells>
@@ -148,10 +156,7 @@ namespace
     auto &bench = workbench<dim>(cells);
     for (auto _ : state)
       bench.assembler.tangent(bench.state, bench.matrix);
-    if (cells == Cells::surface)
-      count_points(state, bench);
-    else
-      count_cells(state, bench);
+    count(state, bench, cells);
   }
 
   template <int dim>
