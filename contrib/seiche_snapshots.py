@@ -69,11 +69,14 @@ def domain(run, positions):
     return numpy.array(lower), numpy.array(upper)
 
 
-def draw_obstacles(axes, run, horizontal, vertical):
+def draw_obstacles(axes, run, horizontal, vertical, plane=None):
+    """All, or those that a plane (direction, place [m]) goes through."""
     for name in run.instances("Obstacle"):
         lower = run.numbers("Obstacle %s/Lower corner" % name)
         upper = run.numbers("Obstacle %s/Upper corner" % name)
-        if lower and upper:
+        if not (lower and upper):
+            continue
+        if plane is None or lower[plane[0]] <= plane[1] <= upper[plane[0]]:
             axes.add_patch(
                 plt.Rectangle(
                     (lower[horizontal], lower[vertical]),

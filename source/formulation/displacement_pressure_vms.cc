@@ -134,40 +134,48 @@ namespace seiche
                 gr[a] += g[j][a] * state.momentum_residual[j];
               }
           }
+        const double inertia =
+          state.is_split ? 0. : fine * state.rho_t * cell.coefficients.inertia;
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            alignas(64) double gg[n_nodes];
+            const double of_N       = weight_g * V0 / kappa * point.N[a];
+            const double divergence = weight_g * V0 * point.N[a];
+            auto        &row_pp     = cell.pp[a];
+#pragma omp simd
             for (unsigned int b = 0; b < n_nodes; ++b)
               {
-                gg[b] = 0.;
+                double sum = 0.;
                 for (unsigned int j = 0; j < dim; ++j)
-                  gg[b] += g[j][a] * g[j][b];
+                  sum += g[j][a] * g[j][b];
+                row_pp[b] += of_N * N[b] + fine * sum;
               }
-            const double mass_term = weight_g * V0 / kappa * N[a];
-            for (unsigned int b = 0; b < n_nodes; ++b)
-              cell.pp[a][b] += mass_term * N[b] + fine * gg[b];
-
-            const double divergence = weight_g * V0 * N[a];
-            const double inertia =
-              state.is_split ? 0. :
-                               fine * state.rho_t * cell.coefficients.inertia;
             for (unsigned int k = 0; k < dim; ++k)
               {
-                const double from_p = theta * fine * state.pressure_gradient[k];
-                const double from_gp = theta * fine * gp[a];
-                const double from_g  = theta * fine * g[k][a];
-                const double from_a  = inertia * g[k][a];
+                double of_g[dim]; // factors of g
+                for (unsigned int j = 0; j < dim; ++j)
+                  of_g[j] =
+                    -theta * fine * state.pressure_gradient[k] * g[j][a];
+                of_g[k] += theta * fine * gp[a];
+                const double of_gr = theta * fine * g[k][a];
+                const double of_a  = inertia * g[k][a];
+                auto        &row   = cell.pu[k][a];
+#pragma omp simd
                 for (unsigned int b = 0; b < n_nodes; ++b)
-                  cell.pu[k][a][b] += divergence * h[k][b] + from_gp * g[k][b] +
-                                      from_g * gr[b] - from_p * gg[b] +
-                                      from_a * N[b];
+                  {
+                    double sum =
+                      divergence * h[k][b] + of_gr * gr[b] + of_a * N[b];
+                    for (unsigned int j = 0; j < dim; ++j)
+                      sum += of_g[j] * g[j][b];
+                    row[b] += sum;
+                  }
               }
             for (unsigned int i = 0; i < dim; ++i)
               {
-                const double pressure_force =
-                  -weight_g * state.volume_t * g[i][a];
+                const double force = -weight_g * state.volume_t * g[i][a];
+                auto        &row   = cell.up[i][a];
+#pragma omp simd
                 for (unsigned int b = 0; b < n_nodes; ++b)
-                  cell.up[i][a][b] += pressure_force * N[b];
+                  row[b] += force * N[b];
               }
           }
         if constexpr (degree > 1)

@@ -227,7 +227,6 @@ namespace seiche
   void
   Occupancy<dim>::number()
   {
-    active.clear();
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         const auto neighbors = locator.vertex_neighbors(cell);
@@ -236,8 +235,6 @@ namespace seiche
           std::any_of(neighbors.begin(),
                       neighbors.end(),
                       [&](const unsigned int c) { return occupied_flag[c]; });
-        if (active_flag[cell])
-          active.push_back(cell);
       }
     exchange_flag(active_flag);
 

@@ -114,7 +114,8 @@ namespace seiche
   void
   CheckpointFolder::clear() const
   {
-    remove_others("", "");
+    if (const std::string problem = remove_others("", ""); !problem.empty())
+      throw FileError(problem); // a restart would take them for this run's
   }
 
 
@@ -123,14 +124,19 @@ namespace seiche
   void
   CheckpointFolder::write(const unsigned int     step,
                           const PointCloud<dim> &points,
-                          StateArchive          &state)
+                          StateArchive          &state,
+                          RunReport             &report)
   {
     const std::string name = fmt::format("checkpoint-{:06}.h5", step);
     Checkpoint::write(directory + "/" + name, points, state, parameters);
     if (name != current) // else a stop in the middle of the next step
       previous = current;
     current = name;
-    on_first_rank(communicator, [&]() { remove_others(current, previous); });
+    std::string problem;
+    on_first_rank(communicator,
+                  [&]() { problem = remove_others(current, previous); });
+    if (!problem.empty())
+      report.warn("an old checkpoint stays", problem);
   }
 
 
@@ -143,10 +149,11 @@ namespace seiche
 
 
 
-  void
+  std::string
   CheckpointFolder::remove_others(const std::string &keep,
                                   const std::string &keep_too) const
   {
+    std::vector<std::string> problems;
     for (const std::string &name :
          matching(directory, "checkpoint-[0-9]+\\.h5(\\.writing)?"))
       if (name != keep && name != keep_too)
@@ -154,10 +161,11 @@ namespace seiche
           std::error_code error;
           std::filesystem::remove(directory + "/" + name, error);
           if (error)
-            throw FileError(directory + "/" + name +
-                            ": this old checkpoint cannot be removed (" +
-                            error.message() + "); remove it.");
+            problems.push_back(directory + "/" + name +
+                               ": this old checkpoint cannot be removed (" +
+                               error.message() + "); remove it.");
         }
+    return listed(problems);
   }
 
 
@@ -165,9 +173,11 @@ namespace seiche
   template void
   CheckpointFolder::write(const unsigned int,
                           const PointCloud<2> &,
-                          StateArchive &);
+                          StateArchive &,
+                          RunReport &);
   template void
   CheckpointFolder::write(const unsigned int,
                           const PointCloud<3> &,
-                          StateArchive &);
+                          StateArchive &,
+                          RunReport &);
 } // namespace seiche

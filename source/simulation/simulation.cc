@@ -8,16 +8,6 @@ namespace seiche
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// Of the largest way of a point in a step, what a wall may move: the grid
-    /// goes with it, and the sum of both counts.
-    constexpr double largest_wall_way = 0.5;
-
-    /// Relative change of a full box in a step that is round-off.
-    constexpr double largest_volume_change = 1e-10;
-  } // namespace
-
   template <int dim>
   Simulation<dim>::Simulation(Scene<dim>        &run_scene,
                               const std::string &output_directory,
@@ -44,45 +34,21 @@ namespace seiche
     , occupancy(locator, scene.formulation.degree)
     , fill(occupancy, scene.quadrature.gauss_in_full_cells())
     , point_control(scene.point_control, points, occupancy, fill)
-    , quadrature(make_quadrature(scene.quadrature,
-                                 points,
-                                 fill,
-                                 scene.fluid.density,
-                                 formulation->has_pressure() &&
-                                   std::isinf(scene.fluid.bulk_modulus)))
     , body_force(scene.body_force, scene.input)
-    , wall_velocity(scene.grid, scene.input)
-    , wall_conditions(wall_velocity, wall_motion, occupancy)
-    , wall_contact(wall_conditions,
-                   occupancy,
-                   body_force,
-                   scene.fluid.density,
-                   formulation->has_pressure() &&
-                     std::isinf(scene.fluid.bulk_modulus))
     , transfer(scene.transfer,
                fill,
                scene.fluid.density,
                scene.uses_mean_volume())
-    , matrix(occupancy, formulation->has_pressure())
-    , assembler(*formulation,
-                *quadrature,
-                fill,
-                body_force,
-                scene.free_surface,
-                timer)
-    , linear_solver(scene.linear_solver, scene.material(), timer)
-    , velocity_projection(assembler,
-                          matrix,
-                          linear_solver,
-                          scene.linear_solver.projection_tolerance)
-    , residual_projection(assembler, *quadrature, occupancy)
-    , newton(scene.newton,
-             scene.linear_solver.tolerance,
-             assembler,
-             residual_projection,
-             matrix,
-             linear_solver,
-             wall_contact)
+    , step_solver(scene,
+                  *formulation,
+                  *time_scheme,
+                  body_force,
+                  wall_motion,
+                  points,
+                  occupancy,
+                  fill,
+                  report,
+                  timer)
     , time_stepper(scene.time)
     , statistics(directory + "/statistics.csv",
                  Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -145,8 +111,8 @@ namespace seiche
     }
     time_stepper.accept();
     material_is_found = points_are_controlled = false;
-    newton_total += last.iterations;
-    krylov_total += last.krylov_iterations;
+    newton_total += step_solver.effort().iterations;
+    krylov_total += step_solver.effort().krylov_iterations;
     return true;
   }
 
@@ -183,14 +149,12 @@ namespace seiche
       }
     {
       const TimerTree::Scope scope(timer, "pattern");
-      matrix.reinit(fill);
+      step_solver.reinit();
     }
     const TimerTree::Scope scope(timer, "points to grid");
     state.reinit(occupancy,
                  formulation->has_pressure(),
                  time_scheme->needs_acceleration());
-    inertia_offset.reinit(occupancy.vector_partitioner());
-    rate_offset.reinit(occupancy.vector_partitioner());
     transfer.points_to_grid(points, state);
     material_is_found = true;
     occupied_max = std::max(occupied_max, occupancy.n_global_occupied_cells());
@@ -204,83 +168,17 @@ namespace seiche
   std::string
   Simulation<dim>::try_step()
   {
-    last             = NewtonResult();
-    const double way = wall_way(state.dt);
-    if (way > largest_wall_way * scene.time.maximum_displacement)
-      return fmt::format("a wall moves by {:.3g} cells", way);
-    if (assembler.is_closed() &&
-        std::abs(wall_motion.volume_change(state.time, state.dt)) >
-          largest_volume_change)
-      throw NumericalError(fmt::format(
-        "t = {:.6g} s: walls change the volume of a box that is full of "
-        "incompressible fluid. Leave room above the fluid, open a wall or set "
-        "a finite Fluid/Bulk modulus.",
-        state.time));
-    linear_solver.begin_step();
-    if (const std::string failure = find_start_velocity(); !failure.empty())
-      return failure;
-    {
-      const TimerTree::Scope scope(timer, "newton");
-      time_scheme->predict(state);
-      time_scheme->offsets(state, state.dt, inertia_offset, rate_offset);
-      const StepCoefficients coefficients = step_coefficients();
-      wall_conditions.set_displacement(state, coefficients, rate_offset);
-      wall_contact.begin_iteration(coefficients, rate_offset);
-      assembler.begin(coefficients, state.time, inertia_offset, rate_offset);
-      const NewtonResult result = newton.solve(state);
-      last.iterations           = result.iterations;
-      last.krylov_iterations += result.krylov_iterations;
-      if (!result.converged)
-        return result.failure;
-    }
-    const TimerTree::Scope scope(timer, "acceptance");
-    time_scheme->finish(state);
-    return transfer.check(state, points)
-      .problem(scene.time.maximum_displacement - way);
-  }
-
-  template <int dim>
-  std::string
-  Simulation<dim>::find_start_velocity()
-  {
-    wall_contact.begin(state);
-    wall_conditions.set_start_velocity(state);
-    if (!formulation->has_pressure() ||
-        !(scene.time.projects_each_step() || time_stepper.steps() == 0))
-      return "";
-    const TimerTree::Scope scope(timer, "velocity projection");
-    while (true)
-      {
-        const LinearResult result =
-          velocity_projection.apply(state,
-                                    step_coefficients(),
-                                    wall_contact.any());
-        last.krylov_iterations += result.iterations;
-        if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
-          return "the velocity projection did not converge";
-        if (!result.converged)
-          report.warn("a velocity projection stopped early",
-                      fmt::format("t = {:.6g} s: {:.1e} of the violation is "
-                                  "left",
-                                  state.time,
-                                  result.reduction));
-        if (!wall_contact.correct_start(state))
-          return "";
-        wall_conditions.set_start_velocity(state);
-      }
-  }
-
-  template <int dim>
-  StepCoefficients
-  Simulation<dim>::step_coefficients() const
-  {
-    StepCoefficients result = time_scheme->coefficients(state.dt);
+    const bool projects =
+      scene.time.projects_each_step() || time_stepper.steps() == 0;
     // a smaller step after a failure must ask for less, or it fails as well
-    result.volume_recovery =
-      scene.volume_relaxation_time > 0. ?
-        std::min(1., state.dt / scene.volume_relaxation_time) :
-        time_stepper.share();
-    return result;
+    const std::string problem =
+      step_solver.solve(state, projects, time_stepper.share());
+    if (!problem.empty())
+      return problem;
+    const TimerTree::Scope scope(timer, "acceptance");
+    return transfer.check(state, points)
+      .problem(scene.time.maximum_displacement -
+               step_solver.wall_way(state.time, state.dt));
   }
 
   template <int dim>
@@ -293,16 +191,11 @@ namespace seiche
         largest = std::max(largest,
                            std::abs(points.data(PointColumn::velocity, d)[p]) /
                              locator.reach(points.cells()[p])[d]);
-    largest = std::max(largest, wall_way(scene.time.step) / scene.time.step);
+    largest =
+      std::max(largest,
+               step_solver.wall_way(time_stepper.time(), scene.time.step) /
+                 scene.time.step);
     return Utilities::MPI::max(largest, communicator);
-  }
-
-  template <int dim>
-  double
-  Simulation<dim>::wall_way(const double dt) const
-  {
-    return wall_motion.largest_way(time_stepper.time(), dt) /
-           occupancy.smallest_extent();
   }
 
   template <int dim>

@@ -31,6 +31,7 @@ namespace seiche
     const unsigned int     step = time_stepper.steps();
     const double           time = time_stepper.time();
     const double           dt   = step == 0 ? 0. : state.dt;
+    const NewtonResult    &last = step_solver.effort();
     StepView<dim>          view{step,
                        time,
                        dt,
@@ -43,7 +44,7 @@ namespace seiche
                        body_force.is_constant() ? body_force.constant_value() :
                                                            Tensor<1, dim>(),
                        scene.fluid.bulk_modulus,
-                       step == 0 ? 0. : assembler.coefficients().theta,
+                       step == 0 ? 0. : step_solver.coefficients().theta,
                        seeding.half_spacing,
                        occupancy.smallest_extent(),
                        last.iterations,

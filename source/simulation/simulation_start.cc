@@ -39,18 +39,8 @@ namespace seiche
   {
     if (!time_scheme->needs_acceleration())
       return;
-    state.dt       = scene.time.step;
-    bool converged = true;
-    wall_conditions.set_start_velocity(state);
-    if (formulation->has_pressure())
-      converged =
-        velocity_projection.apply(state, step_coefficients()).converged;
-    converged =
-      converged && velocity_projection.consistent_start(state).converged;
-    if (!converged)
-      throw NumericalError("The consistent start (velocity, acceleration and "
-                           "pressure that satisfy the constraint) did not "
-                           "converge; set Solver/Linear solver = direct.");
+    state.dt = scene.time.step;
+    step_solver.find_consistent_start(state);
     // accelerations alone return to the points in this transfer
     if (transfer_method(scene.transfer.method).update ==
         VelocityUpdate::flip_acceleration)

@@ -69,7 +69,7 @@ namespace seiche
     points.locate();
     StateArchive archive;
     save_or_load(archive);
-    folder.write(time_stepper.steps(), points, archive);
+    folder.write(time_stepper.steps(), points, archive, report);
   }
 
 

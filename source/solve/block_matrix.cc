@@ -42,13 +42,50 @@ namespace seiche
   }
 
   template <int dim>
+  void
+  BlockMatrix<dim>::prefetch_cell(const unsigned int cell) const
+  {
+    constexpr std::size_t line    = 64; // bytes
+    const unsigned int   *nodes   = occupancy.cell_nodes(cell);
+    const std::uint16_t  *entries = pattern.cell_entries(cell);
+    const unsigned int    n       = n_fields();
+    const unsigned int    n_nodes = occupancy.nodes_per_cell();
+    const auto            fetch = [](const double *from, const unsigned int k) {
+      const char *const begin = reinterpret_cast<const char *>(from);
+      const std::size_t bytes = k * sizeof(double);
+      for (std::size_t i = 0; i < bytes; i += line)
+        __builtin_prefetch(begin + i, /*to write=*/1);
+      __builtin_prefetch(begin + bytes - 1, /*to write=*/1);
+    };
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int b = 0; b < n_nodes; ++b)
+        {
+          const std::size_t entry = pattern.row_begin(nodes[a]) + *entries++;
+          fetch(&displacement_columns[entry * dim * n], dim * n);
+          if (with_pressure)
+            fetch(&pressure_column[entry * n], n);
+        }
+  }
+
+  template <int dim>
   template <int degree>
   void
   BlockMatrix<dim>::add_cell(const unsigned int           cell,
                              const CellData<dim, degree> &data)
   {
+    if (with_pressure)
+      add_cell_fields<degree, dim + 1>(cell, data);
+    else
+      add_cell_fields<degree, dim>(cell, data);
+  }
+
+  template <int dim>
+  template <int degree, unsigned int n>
+  void
+  BlockMatrix<dim>::add_cell_fields(const unsigned int           cell,
+                                    const CellData<dim, degree> &data)
+  {
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
-    const unsigned int     n       = n_fields();
     const unsigned int    *nodes   = occupancy.cell_nodes(cell);
     const std::uint16_t   *entries = pattern.cell_entries(cell);
     double                 free[dim][n_nodes]; // 0 where a wall fixes
@@ -65,10 +102,10 @@ namespace seiche
             {
               for (unsigned int i = 0; i < dim; ++i)
                 to[i] += free[i][a] * free[j][b] * data.uu[i][j][a][b];
-              if (with_pressure)
+              if constexpr (n > dim)
                 to[dim] += free[j][b] * data.pu[j][a][b];
             }
-          if (with_pressure)
+          if constexpr (n > dim)
             {
               to = &pressure_column[entry * n];
               for (unsigned int i = 0; i < dim; ++i)

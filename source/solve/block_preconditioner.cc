@@ -23,6 +23,12 @@ namespace seiche
     constexpr std::array<double, 3> ilu_diagonal_factors = {{1.05, 1.2, 1.5}};
     constexpr double                ilu_unstable_above   = 1e4;
 
+    /// Schur complements with fewer rows (all ranks) are factorised: measured
+    /// on dam_break_2d and column_collapse_3d (doc/performance.md).
+    template <int dim>
+    constexpr types::global_dof_index schur_direct_below =
+      dim == 2 ? 2000 : 250;
+
     /// A shift that makes the singular Laplacian of a closed box definite.
     constexpr double closed_shift = 1e-7;
 
@@ -42,7 +48,7 @@ namespace seiche
   void
   BlockPreconditioner<dim>::reset()
   {
-    schur_amg.reset();
+    schur_generation    = 0;
     velocity_generation = 0;
   }
 
@@ -148,7 +154,7 @@ namespace seiche
         assembler.reference_tau(matrix->occupancy.smallest_extent()).momentum :
         1.;
     schur_factor = scaled_block ? c.inertia : 1.;
-    if (scaled_block && schur_amg && schur_generation == matrix->generation())
+    if (scaled_block && schur_generation == matrix->generation())
       {
         kept = true;
         return;
@@ -190,9 +196,13 @@ namespace seiche
         for (int i = 0; i < schur->NumMyRows(); ++i)
           diagonal_entry(*schur, i) *= 1. + closed_shift;
       }
+    schur_generation = matrix->generation();
+    schur_amg.reset();
+    if (matrix->occupancy.n_global_nodes() < schur_direct_below<dim> &&
+        schur_factors.initialize(*schur))
+      return;
     schur_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
     schur_amg->initialize(*schur, amg_settings());
-    schur_generation = matrix->generation();
   }
 
   template <int dim>
@@ -231,6 +241,22 @@ namespace seiche
 
   template <int dim>
   void
+  BlockPreconditioner<dim>::apply_to_pressure(Vector &z, const Vector &r) const
+  {
+    if (schur_amg)
+      schur_amg->vmult(z, r);
+    else
+      {
+        std::copy(r.begin(), r.end(), schur_factors.right_hand_side().Values());
+        schur_factors.solve();
+        const Epetra_Vector &x = schur_factors.solution();
+        std::copy_n(x.Values(), x.MyLength(), z.begin());
+      }
+    z *= schur_factor;
+  }
+
+  template <int dim>
+  void
   BlockPreconditioner<dim>::vmult(BlockVector &z, const BlockVector &r) const
   {
     if (!matrix->has_pressure())
@@ -243,8 +269,7 @@ namespace seiche
     scratch_p.equ(1. / pressure_row_scale, r.block(1));
     if (closed)
       scratch_p.add(-scratch_p.mean_value());
-    schur_amg->vmult(z.block(1), scratch_p);
-    z.block(1) *= schur_factor;
+    apply_to_pressure(z.block(1), scratch_p);
     if (viscous_factor > 0.)
       for (unsigned int i = 0; i < volume.locally_owned_size(); ++i)
         if (volume.local_element(i) > 0.)

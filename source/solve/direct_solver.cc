@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/direct_solver.h>
 #include <seiche/solve/epetra_copy.h>
-
-#include <Amesos.h>
-#include <Epetra_LinearProblem.h>
-#include <Epetra_Vector.h>
+#include <seiche/solve/sparse_factors.h>
 
 namespace seiche
 {
@@ -32,23 +29,19 @@ namespace seiche
     const auto row = [&](const unsigned int block, const unsigned int i) {
       return block == 0 ? i / dim * n_fields + i % dim : i * n_fields + dim;
     };
-    Epetra_Vector x(map), b(map);
+    SparseFactors factors;
+    if (!factors.initialize(*system))
+      return false;
+    Epetra_Vector &b = factors.right_hand_side();
     for (unsigned int block = 0; block < right_hand_side.n_blocks(); ++block)
       for (unsigned int i = 0;
            i < right_hand_side.block(block).locally_owned_size();
            ++i)
         b[row(block, i)] = right_hand_side.block(block).local_element(i);
 
-    Epetra_LinearProblem                     problem(system.get(), &x, &b);
-    const std::unique_ptr<Amesos_BaseSolver> solver(
-      Amesos().Create("Amesos_Klu", problem));
-    const bool success = solver->SymbolicFactorization() == 0 &&
-                         solver->NumericFactorization() == 0 &&
-                         solver->Solve() == 0;
-    double norm = 0.;
-    x.Norm2(&norm);
-    if (!success || !std::isfinite(norm))
+    if (!factors.solve())
       return false;
+    const Epetra_Vector &x = factors.solution();
     for (unsigned int block = 0; block < solution.n_blocks(); ++block)
       for (unsigned int i = 0; i < solution.block(block).locally_owned_size();
            ++i)

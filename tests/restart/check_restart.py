@@ -180,6 +180,13 @@ def refused(make, folder, _):
     os.truncate(f"{parts}/statistics.csv", 1000)
     assert "statistics.csv" in program.run(parts, "--restart", code=4)
 
+    program.run_until(parts, "0.25")
+    stuck = f"{parts}/checkpoint-000001.h5"  # no file: cannot be removed
+    os.makedirs(f"{stuck}/content")
+    text = program.run(parts, "--restart")
+    assert f"an old checkpoint stays ({stuck}: " in text, text
+    assert "old checkpoint cannot be removed" in program.run(parts, code=4)
+
 
 def stopped(make, folder, ranks):
     """By signals and by files; the rest of the run is as it would have been."""

@@ -75,8 +75,10 @@ namespace
                   const typename Occupancy<dim>::Vector &values)
   {
     double error = 0.;
-    for (const unsigned int cell : occupancy.active_cells())
+    for (unsigned int cell = 0; cell < occupancy.locator.n_owned(); ++cell)
       {
+        if (!occupancy.is_active(cell))
+          continue;
         double at[TensorShape<dim, 1>::n_nodes];
         for (unsigned int a = 0; a < TensorShape<dim, 1>::n_nodes; ++a)
           at[a] = values.local_element(occupancy.cell_nodes(cell)[a]);

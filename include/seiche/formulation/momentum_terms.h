@@ -43,7 +43,8 @@ namespace seiche
 
     /**
      * Add the derivative of the above with respect to u:
-     * m C_a du.w + V_t ds:grad_t w
+     * m C_a du.w + V_t ds:grad_t w, ds = 2 mu dev(sym((c_r I - theta l) grad_t
+     * du)),
      * + theta V_t {(div_t du) S:grad_t w - S:(grad_t w grad_t du)}
      * + bulk V_t dg[du] div_t w,
      * where -bulk g is the pressure that depends on u: tau2 and the constraint
@@ -60,85 +61,67 @@ namespace seiche
                 const dealii::Tensor<2, dim> &velocity_gradient,
                 const dealii::Tensor<2, dim> &stress)
     {
-      const double theta   = cell.coefficients.theta;
-      const auto  &g       = point.gradient_t;
-      const double inertia = mass * cell.coefficients.inertia;
-
-      alignas(64) double Sg[dim][n_nodes]; // theta V_t (S grad N)
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            double sum = 0.;
-            for (unsigned int j = 0; j < dim; ++j)
-              sum += stress[i][j] * g[j][a];
-            Sg[i][a] = theta * volume_t * sum;
-          }
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int k = 0; k < dim; ++k)
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            {
-              const double from_div   = Sg[i][a];
-              const double from_shear = g[k][a];
-              const double from_bulk  = bulk * volume_t * g[i][a];
-              double      *row        = cell.uu[i][k][a];
-              for (unsigned int b = 0; b < n_nodes; ++b)
-                row[b] += from_div * g[k][b] - from_shear * Sg[i][b] +
-                          from_bulk * slope[k][b];
-            }
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            const double weight = inertia * point.N[a];
-            if (cell.sliver)
-              cell.uu[i][i][a][a] += inertia * point.lumped(a);
-            else
-              for (unsigned int b = 0; b < n_nodes; ++b)
-                cell.uu[i][i][a][b] += weight * point.N[b];
-          }
-      if (viscosity != 0.)
-        add_viscous_tangent(cell,
-                            point,
-                            viscosity * volume_t,
-                            velocity_gradient);
-    }
-
-  private:
-    /// ds = 2 mu dev(sym(dl)), dl = (c_r I - theta l) grad_t du.
-    static void
-    add_viscous_tangent(CellData<dim, degree>              &cell,
-                        const PointKinematics<dim, degree> &point,
-                        const double                        weight, // mu V_t
-                        const dealii::Tensor<2, dim>       &velocity_gradient)
-    {
-      const auto            &g = point.gradient_t;
-      dealii::Tensor<2, dim> m = -cell.coefficients.theta * velocity_gradient;
+      using Nodal            = double[n_nodes];
+      const double theta     = cell.coefficients.theta;
+      const auto  &g         = point.gradient_t;
+      const double inertia   = mass * cell.coefficients.inertia;
+      const double viscous_t = viscosity * volume_t;
+      // ds = 2 mu dev(sym(m grad_t du))
+      dealii::Tensor<2, dim> m = -theta * velocity_gradient;
       for (unsigned int i = 0; i < dim; ++i)
         m[i][i] += cell.coefficients.rate;
 
-      alignas(64) double A[dim][n_nodes]; // m^T grad N
-      for (unsigned int k = 0; k < dim; ++k)
+      // theta V_t (S grad N), mu V_t m^T grad N, what multiplies div_t w
+      alignas(64) double Sg[dim][n_nodes], mg[dim][n_nodes], h[dim][n_nodes];
+      for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            double sum = 0.;
+            double force = 0., rate = 0.;
             for (unsigned int j = 0; j < dim; ++j)
-              sum += m[j][k] * g[j][a];
-            A[k][a] = weight * sum;
-          }
-      alignas(64) double gg[n_nodes][n_nodes];
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        for (unsigned int b = 0; b < n_nodes; ++b)
-          {
-            double sum = 0.;
-            for (unsigned int j = 0; j < dim; ++j)
-              sum += g[j][a] * g[j][b];
-            gg[a][b] = weight * sum;
+              {
+                force += stress[i][j] * g[j][a];
+                rate += m[j][i] * g[j][a];
+              }
+            Sg[i][a] = theta * volume_t * force;
+            mg[i][a] = viscous_t * rate;
+            h[i][a]  = bulk * volume_t * slope[i][a] - 2. / 3. * mg[i][a];
           }
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int k = 0; k < dim; ++k)
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            for (unsigned int b = 0; b < n_nodes; ++b)
-              cell.uu[i][k][a][b] += m[i][k] * gg[a][b] + A[k][a] * g[i][b] -
-                                     2. / 3. * g[i][a] * A[k][b];
+          {
+            // factors of g: viscous terms and (div_t du) S
+            alignas(64) double of_g[dim][n_nodes];
+            for (unsigned int j = 0; j < dim; ++j)
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                of_g[j][a] = viscous_t * m[i][k] * g[j][a] +
+                             (j == k ? Sg[i][a] : 0.) +
+                             (j == i ? mg[k][a] : 0.);
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              {
+                const double of_Sg = g[k][a], of_h = g[i][a];
+                Nodal       &row = cell.uu[i][k][a];
+#pragma omp simd
+                for (unsigned int b = 0; b < n_nodes; ++b)
+                  {
+                    double sum = of_h * h[k][b] - of_Sg * Sg[i][b];
+                    for (unsigned int j = 0; j < dim; ++j)
+                      sum += of_g[j][a] * g[j][b];
+                    row[b] += sum;
+                  }
+              }
+          }
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          if (cell.sliver)
+            cell.uu[i][i][a][a] += inertia * point.lumped(a);
+          else
+            {
+              const double weight = inertia * point.N[a];
+              Nodal       &row    = cell.uu[i][i][a];
+#pragma omp simd
+              for (unsigned int b = 0; b < n_nodes; ++b)
+                row[b] += weight * point.N[b];
+            }
     }
   };
 } // namespace seiche

@@ -92,13 +92,6 @@ namespace seiche
       return occupied;
     }
 
-    /// Own active cells (occupied and halo), ascending.
-    const std::vector<unsigned int> &
-    active_cells() const
-    {
-      return active;
-    }
-
     /// For own and ghost cells.
     bool
     is_occupied(const unsigned int cell) const
@@ -317,7 +310,7 @@ namespace seiche
     unsigned int              numbering_generation = 0;
     unsigned int              n_own                = 0;
     std::uint64_t             global_occupied      = 0;
-    std::vector<unsigned int> occupied, active;
+    std::vector<unsigned int> occupied;
     std::vector<char>         occupied_flag, active_flag;
     std::vector<unsigned int> compact_cell_nodes;
     std::vector<unsigned int> full_of_compact;

@@ -37,12 +37,14 @@ namespace seiche
     void
     clear() const;
 
-    /// Write one; then remove all but this and the one before. Collective.
+    /// Write one; then remove all but this and the one before, with a warning
+    /// if that cannot be done. Collective.
     template <int dim>
     void
     write(const unsigned int     step,
           const PointCloud<dim> &points,
-          StateArchive          &state);
+          StateArchive          &state,
+          RunReport             &report);
 
     /// The one just written, read again. Collective.
     std::unique_ptr<Checkpoint>
@@ -53,8 +55,9 @@ namespace seiche
     std::vector<std::string>
     list() const;
 
-    /// Remove all checkpoints, also unfinished ones, but two. Rank 0.
-    void
+    /// Remove all checkpoints, also unfinished ones, but two. What could not
+    /// be removed and why, or nothing. Rank 0.
+    std::string
     remove_others(const std::string &keep, const std::string &keep_too) const;
 
     const std::string     directory;

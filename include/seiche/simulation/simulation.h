@@ -4,12 +4,10 @@
 
 #include <seiche/grid/mesh_adaptation.h>
 #include <seiche/grid/point_control.h>
-#include <seiche/grid/wall_contact.h>
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/run_report.h>
-#include <seiche/simulation/scene.h>
-#include <seiche/solve/velocity_projection.h>
+#include <seiche/simulation/step_solver.h>
 #include <seiche/utilities/timer_tree.h>
 
 #include <string>
@@ -78,15 +76,6 @@ namespace seiche
     std::string
     try_step();
 
-    /// Start velocity of a step that satisfies the walls and, if it is to, the
-    /// constraint; empty, or why not.
-    std::string
-    find_start_velocity();
-
-    /// Of a step of size state.dt.
-    StepCoefficients
-    step_coefficients() const;
-
     /// Velocity (and acceleration, pressure) that fit the constraint.
     void
     prepare_start();
@@ -99,10 +88,6 @@ namespace seiche
     /// The grid to where the walls are now. Collective.
     void
     move_grid();
-
-    /// Cells that sides of the domain move by in a step of size @p dt.
-    double
-    wall_way(const double dt) const;
 
     /// Largest speed over the cell edge [1/s], all ranks.
     double
@@ -139,28 +124,16 @@ namespace seiche
     Occupancy<dim>                          occupancy;
     Fill<dim>                               fill;
     PointControl<dim>                       point_control;
-    const std::unique_ptr<Quadrature<dim>>  quadrature;
     const BodyForce<dim>                    body_force;
-    const WallVelocity<dim>                 wall_velocity;
-    const WallConditions<dim>               wall_conditions;
-    WallContact<dim>                        wall_contact;
     const Transfer<dim>                     transfer;
     GridState<dim>                          state;
-    BlockMatrix<dim>                        matrix;
-    Assembler<dim>                          assembler;
-    LinearSolver<dim>                       linear_solver;
-    VelocityProjection<dim>                 velocity_projection;
-    ResidualProjection<dim>                 residual_projection;
-    Newton<dim>                             newton;
+    StepSolver<dim>                         step_solver;
     TimeStepper                             time_stepper;
     StatisticsTable                         statistics;
-
-    typename GridState<dim>::Vector inertia_offset, rate_offset;
 
     bool material_is_found     = false; ///< where the points are now
     bool points_are_controlled = false; ///< PointControl has seen to them
 
-    NewtonResult  last; ///< of the step just done
     std::uint64_t newton_total = 0, krylov_total = 0;
     std::uint64_t occupied_max = 0, unknowns_max = 0;
   };

@@ -4,10 +4,9 @@
 
 #include <seiche/solve/assembler.h>
 #include <seiche/solve/block_ilu.h>
+#include <seiche/solve/sparse_factors.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
-
-#include <Epetra_CrsMatrix.h>
 
 #include <memory>
 
@@ -21,10 +20,10 @@ namespace seiche
    * is S = D/(rho C_a tau1), Laplacian-like, so that one scalar ML hierarchy
    * serves all solves of a step; where subscales vary it is formed with the
    * lumped inertia (D and C A^-1 G nearly cancel where tau1 is large), without
-   * subscales with diag(A). P_A: where A is close to a mass matrix,
-   * BlockILU; ML with the components' constants where viscosity, tau2 or the
-   * bulk modulus dominate. Viscous fluids add 2 mu c_r/M_p to S^-1 (Cahouet
-   * and Chabard 1988). (doc/theory.md, "Linear systems")
+   * subscales with diag(A). A small S is factorised. P_A: where A is close to a
+   * mass matrix, BlockILU; ML with the components' constants where viscosity,
+   * tau2 or the bulk modulus dominate. Viscous fluids add 2 mu c_r/M_p to S^-1
+   * (Cahouet and Chabard 1988). (doc/theory.md, "Linear systems")
    */
   template <int dim>
   class BlockPreconditioner
@@ -87,6 +86,8 @@ namespace seiche
 
     void
     apply_to_velocity(Vector &z, const Vector &r) const;
+    void
+    apply_to_pressure(Vector &z, const Vector &r) const;
 
     BlockILU<dim> ilu; ///< P_A where there is no velocity_amg
     std::unique_ptr<Epetra_CrsMatrix>                          velocity_matrix;
@@ -96,7 +97,8 @@ namespace seiche
     double       velocity_inertia    = 0.; ///< C_a that they belong to
     double       velocity_factor     = 1.;
 
-    std::unique_ptr<Epetra_CrsMatrix>                          schur;
+    std::unique_ptr<Epetra_CrsMatrix> schur;
+    mutable SparseFactors schur_factors; ///< where there is no schur_amg
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> schur_amg;
     unsigned int schur_generation = 0;
     double       schur_factor     = 1.; ///< S^-1 = factor * hierarchy

@@ -38,17 +38,30 @@ namespace seiche
     static Doubles
     load(const double *from)
     {
-      Doubles result = {};
-      std::memcpy(&result, from, n * sizeof(double));
-      return result;
+      return gather<Doubles>(from);
     }
 
     static Doubles
     load(const float *from)
     {
-      Floats result = {};
-      std::memcpy(&result, from, n * sizeof(float));
-      return __builtin_convertvector(result, Doubles);
+      return __builtin_convertvector(gather<Floats>(from), Doubles);
+    }
+
+  private:
+    template <typename Numbers, typename Number>
+    static Numbers
+    gather(const Number *from)
+    {
+      // three numbers one by one: a copy through memory would be read before
+      // it is all written (2D products took 2.5 times as long)
+      if constexpr (n == 3)
+        return Numbers{from[0], from[1], from[2], Number()};
+      else
+        {
+          Numbers result;
+          std::memcpy(&result, from, n * sizeof(Number));
+          return result;
+        }
     }
   };
 } // namespace seiche

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/step_solver.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <fmt/format.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Of the largest way of a point in a step, what a wall may move: the grid
+    /// goes with it, and the sum of both counts.
+    constexpr double largest_wall_way = 0.5;
+
+    /// Relative change of a full box in a step that is round-off.
+    constexpr double largest_volume_change = 1e-10;
+  } // namespace
+
+  template <int dim>
+  StepSolver<dim>::StepSolver(const Scene<dim>       &run_scene,
+                              const Formulation<dim> &formulation,
+                              const TimeScheme<dim>  &run_time_scheme,
+                              const BodyForce<dim>   &body_force,
+                              const WallMotion<dim>  &run_wall_motion,
+                              const PointCloud<dim>  &points,
+                              Occupancy<dim>         &run_occupancy,
+                              const Fill<dim>        &run_fill,
+                              RunReport              &run_report,
+                              TimerTree              &run_timer)
+    : scene(run_scene)
+    , time_scheme(run_time_scheme)
+    , wall_motion(run_wall_motion)
+    , occupancy(run_occupancy)
+    , fill(run_fill)
+    , report(run_report)
+    , timer(run_timer)
+    , has_pressure(formulation.has_pressure())
+    , is_incompressible(has_pressure && std::isinf(scene.fluid.bulk_modulus))
+    , quadrature(make_quadrature(scene.quadrature,
+                                 points,
+                                 fill,
+                                 scene.fluid.density,
+                                 is_incompressible))
+    , wall_velocity(scene.grid, scene.input)
+    , wall_conditions(wall_velocity, wall_motion, occupancy)
+    , wall_contact(wall_conditions,
+                   occupancy,
+                   body_force,
+                   scene.fluid.density,
+                   is_incompressible)
+    , matrix(occupancy, has_pressure)
+    , assembler(formulation,
+                *quadrature,
+                fill,
+                body_force,
+                scene.free_surface,
+                timer)
+    , linear_solver(scene.linear_solver, scene.material(), timer)
+    , velocity_projection(assembler,
+                          matrix,
+                          linear_solver,
+                          scene.linear_solver.projection_tolerance)
+    , residual_projection(assembler, *quadrature, occupancy)
+    , newton(scene.newton,
+             scene.linear_solver.tolerance,
+             assembler,
+             residual_projection,
+             matrix,
+             linear_solver,
+             wall_contact)
+  {}
+
+  template <int dim>
+  void
+  StepSolver<dim>::reinit()
+  {
+    matrix.reinit(fill);
+    inertia_offset.reinit(occupancy.vector_partitioner());
+    rate_offset.reinit(occupancy.vector_partitioner());
+  }
+
+  template <int dim>
+  void
+  StepSolver<dim>::find_consistent_start(GridState<dim> &state)
+  {
+    wall_conditions.set_start_velocity(state);
+    bool converged = true;
+    if (has_pressure)
+      converged =
+        velocity_projection.apply(state, step_coefficients(state.dt, 1.))
+          .converged;
+    converged =
+      converged && velocity_projection.consistent_start(state).converged;
+    if (!converged)
+      throw NumericalError("The consistent start (velocity, acceleration and "
+                           "pressure that satisfy the constraint) did not "
+                           "converge; set Solver/Linear solver = direct.");
+  }
+
+  template <int dim>
+  std::string
+  StepSolver<dim>::solve(GridState<dim> &state,
+                         const bool      projects,
+                         const double    share)
+  {
+    last = NewtonResult();
+    if (const std::string problem = problem_of_walls(state); !problem.empty())
+      return problem;
+    const StepCoefficients step = step_coefficients(state.dt, share);
+    linear_solver.begin_step();
+    if (const std::string problem = find_start_velocity(state, step, projects);
+        !problem.empty())
+      return problem;
+    {
+      const TimerTree::Scope scope(timer, "newton");
+      time_scheme.predict(state);
+      time_scheme.offsets(state, state.dt, inertia_offset, rate_offset);
+      wall_conditions.set_displacement(state, step, rate_offset);
+      wall_contact.begin_iteration(step, rate_offset);
+      assembler.begin(step, state.time, inertia_offset, rate_offset);
+      const NewtonResult result = newton.solve(state);
+      last.iterations           = result.iterations;
+      last.krylov_iterations += result.krylov_iterations;
+      if (!result.converged)
+        return result.failure;
+    }
+    time_scheme.finish(state);
+    return "";
+  }
+
+  template <int dim>
+  std::string
+  StepSolver<dim>::problem_of_walls(const GridState<dim> &state) const
+  {
+    const double way = wall_way(state.time, state.dt);
+    if (way > largest_wall_way * scene.time.maximum_displacement)
+      return fmt::format("a wall moves by {:.3g} cells", way);
+    if (assembler.is_closed() &&
+        std::abs(wall_motion.volume_change(state.time, state.dt)) >
+          largest_volume_change)
+      throw NumericalError(fmt::format(
+        "t = {:.6g} s: walls change the volume of a box that is full of "
+        "incompressible fluid. Leave room above the fluid, open a wall or set "
+        "a finite Fluid/Bulk modulus.",
+        state.time));
+    return "";
+  }
+
+  template <int dim>
+  std::string
+  StepSolver<dim>::find_start_velocity(GridState<dim>         &state,
+                                       const StepCoefficients &coefficients,
+                                       const bool              projects)
+  {
+    wall_contact.begin(state);
+    wall_conditions.set_start_velocity(state);
+    if (!has_pressure || !projects)
+      return "";
+    const TimerTree::Scope scope(timer, "velocity projection");
+    while (true)
+      {
+        const LinearResult result =
+          velocity_projection.apply(state, coefficients, wall_contact.any());
+        last.krylov_iterations += result.iterations;
+        if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
+          return "the velocity projection did not converge";
+        if (!result.converged)
+          report.warn("a velocity projection stopped early",
+                      fmt::format("t = {:.6g} s: {:.1e} of the violation is "
+                                  "left",
+                                  state.time,
+                                  result.reduction));
+        if (!wall_contact.correct_start(state))
+          return "";
+        wall_conditions.set_start_velocity(state);
+      }
+  }
+
+  template <int dim>
+  StepCoefficients
+  StepSolver<dim>::step_coefficients(const double dt, const double share) const
+  {
+    StepCoefficients result = time_scheme.coefficients(dt);
+    result.volume_recovery  = scene.volume_relaxation_time > 0. ?
+                                std::min(1., dt / scene.volume_relaxation_time) :
+                                share;
+    return result;
+  }
+
+  template <int dim>
+  double
+  StepSolver<dim>::wall_way(const double time, const double dt) const
+  {
+    return wall_motion.largest_way(time, dt) / occupancy.smallest_extent();
+  }
+
+  template class StepSolver<2>;
+  template class StepSolver<3>;
+} // namespace seiche

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/solve/assembler.h>
+
+// The part of Assembler that collects what a weak form reads in a cell.
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  template <int degree>
+  CellData<dim, degree> &
+  Assembler<dim>::gather(const unsigned int cell, const GridState<dim> &state)
+  {
+    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
+    CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
+    const auto            &locator = occupancy.locator;
+    data.coefficients              = step;
+    if (fill.is_thin(cell) || fill.is_sliver(cell))
+      data.coefficients.jerk_constraint = 0.; // noise in spray, hard on Newton
+    data.extent = locator.extent(cell);
+    data.size   = std::pow(locator.measure(cell), 1. / dim);
+    data.sliver = free_surface.sliver_treatment && fill.is_sliver(cell);
+    quadrature.get(cell, data.quadrature);
+
+    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    double              start_velocity[dim][n_nodes];
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          const unsigned int dof  = dim * nodes[a] + i;
+          const double       u    = state.displacement().local_element(dof);
+          data.displacement[i][a] = u;
+          data.acceleration[i][a] =
+            step.inertia * u + inertia_offset->local_element(dof);
+          data.rate_velocity[i][a] =
+            step.rate * u + rate_offset->local_element(dof);
+          start_velocity[i][a] = state.velocity_start.local_element(dof);
+        }
+    Tensor<1, dim> mean_velocity;
+    for (unsigned int i = 0; i < dim; ++i)
+      {
+        occupancy.expand(cell, data.displacement[i]);
+        occupancy.expand(cell, data.acceleration[i]);
+        occupancy.expand(cell, data.rate_velocity[i]);
+        occupancy.expand(cell, start_velocity[i]);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          mean_velocity[i] += start_velocity[i][a] / n_nodes;
+      }
+    data.start_speed = mean_velocity.norm();
+    if (state.has_pressure())
+      {
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          data.pressure[a] = state.pressure().local_element(nodes[a]);
+        occupancy.expand(cell, data.pressure);
+      }
+    data.orthogonal = projection != nullptr;
+    if (data.orthogonal)
+      gather_projection<degree>(cell);
+
+    data.body_force_varies = step.body_force && !body_force.is_constant();
+    if (data.body_force_varies)
+      gather_body_force<degree>(cell, start_velocity);
+    else
+      data.constant_body_force =
+        step.body_force ? body_force.constant_value() : Tensor<1, dim>();
+    return data;
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  Assembler<dim>::gather_projection(const unsigned int cell)
+  {
+    CellData<dim, degree> &data  = std::get<degree - 1>(workspace);
+    const unsigned int    *nodes = occupancy.cell_nodes(cell);
+    for (unsigned int a = 0; a < data.n_nodes; ++a)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          data.projected_momentum[i][a] =
+            projection->block(0).local_element(dim * nodes[a] + i);
+        data.projected_constraint[a] =
+          projection->block(1).local_element(nodes[a]);
+      }
+    for (unsigned int i = 0; i < dim; ++i)
+      occupancy.expand(cell, data.projected_momentum[i]);
+    occupancy.expand(cell, data.projected_constraint);
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  Assembler<dim>::gather_body_force(
+    const unsigned int cell,
+    const double (&start_velocity)[dim][CellData<dim, degree>::n_nodes])
+  {
+    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
+    CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
+    data.body_force.resize(data.quadrature.size);
+    double N[n_nodes];
+    for (unsigned int q = 0; q < data.quadrature.size; ++q)
+      {
+        const Point<dim> unit = data.quadrature.point(q);
+        TensorShape<dim, degree>::values(unit, N);
+        Point<dim> x = occupancy.locator.lower_corner(cell);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            x[d] += unit[d] * data.extent[d];
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              x[d] += step.theta * step.dt * N[a] * start_velocity[d][a];
+          }
+        data.body_force[q] = body_force.value(x, time + step.theta * step.dt);
+      }
+  }
+
+#define INSTANTIATE(dim, degree)                                  \
+  template CellData<dim, degree> &Assembler<dim>::gather<degree>( \
+    const unsigned int, const GridState<dim> &);
+  INSTANTIATE(2, 1)
+  INSTANTIATE(2, 2)
+  INSTANTIATE(3, 1)
+  INSTANTIATE(3, 2)
+} // namespace seiche
