@@ -27,7 +27,7 @@ namespace seiche
     /// on dam_break_2d and column_collapse_3d (doc/performance.md).
     template <int dim>
     constexpr types::global_dof_index schur_direct_below =
-      dim == 2 ? 2000 : 250;
+      dim == 2 ? 2000 : 1000;
 
     /// A shift that makes the singular Laplacian of a closed box definite.
     constexpr double closed_shift = 1e-7;
