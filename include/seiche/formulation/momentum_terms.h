@@ -43,11 +43,11 @@ namespace seiche
 
     /**
      * Add the derivative of the above with respect to u:
-     * m C_a du.w + V_t ds:grad_t w, ds = 2 mu dev(sym((c_r I - theta l) grad_t
-     * du)),
+     * m C_a du.w + V_t ds:grad_t w
      * + theta V_t {(div_t du) S:grad_t w - S:(grad_t w grad_t du)}
      * + bulk V_t dg[du] div_t w,
-     * where -bulk g is the pressure that depends on u: tau2 and the constraint
+     * where ds = 2 mu dev(sym((c_r I - theta l) grad_t du)) and -bulk g is the
+     * pressure that depends on u: tau2 and the constraint
      * (mixed), kappa and the volume (irreducible); @p slope[k][b] is dg/du_kb.
      */
     static void
