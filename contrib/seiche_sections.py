@@ -68,6 +68,7 @@ def panels(number, lower, upper, directions):
         used.set_xlim(lower[directions[0]], upper[directions[0]])
         used.set_ylim(lower[directions[1]], upper[directions[1]])
         used.set_aspect("equal")
+        used.set(xlabel="xyz"[directions[0]] + " [m]", ylabel="xyz"[directions[1]] + " [m]")
     return figure, axes.flat[:number]
 
 

@@ -138,8 +138,8 @@ namespace seiche
           state.is_split ? 0. : fine * state.rho_t * cell.coefficients.inertia;
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            const double of_N       = weight_g * V0 / kappa * point.N[a];
-            const double divergence = weight_g * V0 * point.N[a];
+            const double of_N       = weight_g * V0 / kappa * N[a];
+            const double divergence = weight_g * V0 * N[a];
             auto        &row_pp     = cell.pp[a];
 #pragma omp simd
             for (unsigned int b = 0; b < n_nodes; ++b)
