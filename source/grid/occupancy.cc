@@ -127,11 +127,18 @@ namespace seiche
                     const unsigned int node =
                       full_cell_nodes[cell * n_nodes + a];
                     fixed_full[node] |= 1u << c;
-                    const auto entry = std::make_pair(wall, c);
-                    auto      &list  = walls_full[node];
-                    if (std::find(list.begin(), list.end(), entry) ==
-                        list.end())
-                      list.push_back(entry);
+                    auto              &list  = walls_full[node];
+                    const auto         entry = std::find_if(list.begin(),
+                                                    list.end(),
+                                                    [&](const NodeWall &old) {
+                                                      return old.wall == wall &&
+                                                             old.component == c;
+                                                    });
+                    const unsigned int side  = 1u << (face % 2);
+                    if (entry == list.end())
+                      list.push_back({wall, c, side});
+                    else
+                      entry->sides |= side;
                   }
         }
     // an owner sees all cells around its nodes, a ghost's copy may not
@@ -331,9 +338,9 @@ namespace seiche
                            const unsigned int       component) const
   {
     const auto &list = walls_full[full_of_compact[node]];
-    return std::find(list.begin(),
-                     list.end(),
-                     std::make_pair(wall, component)) != list.end();
+    return std::any_of(list.begin(), list.end(), [&](const NodeWall &entry) {
+      return entry.wall == wall && entry.component == component;
+    });
   }
 
   template class Occupancy<2>;

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace seiche
@@ -13,6 +14,21 @@ namespace seiche
   namespace
   {
     constexpr double lowest = -std::numeric_limits<double>::max();
+
+    /// Integral over lower < x < upper of the hat that falls from 1 at x = @p
+    /// top to 0 at the distance @p width.
+    double
+    hat_integral(const double top,
+                 const double width,
+                 const double lower,
+                 const double upper)
+    {
+      const auto half = [width](const double length) {
+        const double x = std::clamp(length, 0., width);
+        return x * (1. - 0.5 * x / width);
+      };
+      return half(top - lower) + half(upper - top);
+    }
 
     void
     maximum_over_ranks(std::vector<double> &values, const MPI_Comm communicator)
@@ -63,8 +79,9 @@ namespace seiche
                       /*has_to_be_set=*/true);
     prm.add_parameter("Width",
                       width,
-                      "Points within this distance on either side count; 0: "
-                      "the smallest cell edge. [m]",
+                      "Points within this distance on either side count, with "
+                      "weights that fall to zero there in the depth; 0: the "
+                      "smallest cell edge. [m]",
                       Patterns::Double(0.));
   }
 
@@ -143,24 +160,23 @@ namespace seiche
         const double *height = view.points.data(PointColumn::position, dim - 1);
         const double *volume = view.points.data(PointColumn::initial_volume);
         std::array<const double *, dim - 1> x;
-        double                              area = 1.; // inside the domain
+        double area = 1.; // under the weights, inside the domain
         for (unsigned int d = 0; d + 1 < dim; ++d)
           {
             x[d]           = view.points.data(PointColumn::position, d);
             const double c = gauges[g].position[d];
-            area *= std::min(c + width, upper_corner[d]) -
-                    std::max(c - width, lower_corner[d]);
+            area *= hat_integral(c, width, lower_corner[d], upper_corner[d]);
           }
         for (std::size_t i = 0; i < view.points.size(); ++i)
           {
-            bool inside = true;
+            double weight = 1.;
             for (unsigned int d = 0; d + 1 < dim; ++d)
-              inside =
-                inside && std::abs(x[d][i] - gauges[g].position[d]) <= width;
-            if (inside)
+              weight *= std::max(
+                0., 1. - std::abs(x[d][i] - gauges[g].position[d]) / width);
+            if (weight > 0.)
               {
                 level[g] = std::max(level[g], height[i]);
-                depth[g] += volume[i] / area;
+                depth[g] += weight * volume[i] / area;
               }
           }
       }

@@ -49,7 +49,8 @@ namespace seiche
                    occupancy,
                    body_force,
                    scene.fluid.density,
-                   is_incompressible)
+                   is_incompressible,
+                   !time_scheme.needs_acceleration())
     , matrix(occupancy, has_pressure)
     , assembler(formulation,
                 *quadrature,

@@ -24,7 +24,7 @@ AIR = 1e-3  # density of its air
 
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="openfoam")
-    parser.add_argument("scene", choices=("dam_break", "patch"))
+    parser.add_argument("scene", choices=("dam_break", "patch", "marin"))
     parser.add_argument("--h", type=float, required=True, help="cell size [m]")
     parser.add_argument("--co", type=float, required=True, help="largest Courant number")
     parser.add_argument("--end", type=float, default=2.5, help="[s]")
@@ -82,7 +82,7 @@ functions {{ {functions} }}""")
 
 
 def probes(name, field, points, control, kind="probes", extra=""):
-    places = " ".join("(%.9g %.9g %.9g)" % (x, y, THICKNESS / 2) for x, y in points)
+    places = " ".join("(%.9g %.9g %.9g)" % (*place, THICKNESS / 2)[:3] for place in points)
     return (f"{name} {{ type {kind}; libs (sampling); fields ({field}); {extra} {control} "
             f"probeLocations ( {places} ); }}\n")
 
@@ -91,6 +91,24 @@ def write_field(folder, name, kind, dimensions, inside, patches):
     write(folder, "0/" + name, kind, f"dimensions {dimensions}; internalField {inside}; boundaryField {{ "
           + " ".join(f"{patch} {{ type {text} }}" for patch, text in patches.items())
           + " frontAndBack { type empty; } }")
+
+
+def write_water_and_air(folder, gravity):
+    write(folder, "constant/transportProperties", "dictionary", """
+phases (water air); water { transportModel Newtonian; nu 1.01e-06; rho 1000; }
+air { transportModel Newtonian; nu 1.48e-05; rho 1; } sigma 0;""")
+    write(folder, "constant/g", "uniformDimensionedVectorField",
+          f"dimensions [0 1 -2 0 0 0 0]; value {gravity};")
+
+
+def write_dam_break_fields(folder, walls):
+    """`walls(text, top)`: {patch: text} for slip walls and the open top."""
+    write_field(folder, "alpha.water", "volScalarField", "[0 0 0 0 0 0 0]", "uniform 0",
+                walls("zeroGradient;", "inletOutlet; inletValue uniform 0; value uniform 0;"))
+    write_field(folder, "U", "volVectorField", "[0 1 -1 0 0 0 0]", "uniform (0 0 0)",
+                walls("slip;", "pressureInletOutletVelocity; value uniform (0 0 0);"))
+    write_field(folder, "p_rgh", "volScalarField", "[1 -1 -2 0 0 0 0]", "uniform 0",
+                walls("fixedFluxPressure; value uniform 0;", "totalPressure; p0 uniform 0;"))
 
 
 def make_dam_break(folder, options):
@@ -116,21 +134,12 @@ boundary (
 defaultFieldValues ( volScalarFieldValue alpha.water 0 );
 regions ( boxToCell {{ box (-1 -1 -1) ({COLUMN_WIDTH} {COLUMN_HEIGHT} 1);
   fieldValues ( volScalarFieldValue alpha.water 1 ); }} );""")
-    write(folder, "constant/transportProperties", "dictionary", """
-phases (water air); water { transportModel Newtonian; nu 1.01e-06; rho 1000; }
-air { transportModel Newtonian; nu 1.48e-05; rho 1; } sigma 0;""")
-    write(folder, "constant/g", "uniformDimensionedVectorField",
-          f"dimensions [0 1 -2 0 0 0 0]; value (0 {-GRAVITY} 0);")
+    write_water_and_air(folder, f"(0 {-GRAVITY} 0)")
 
     def walls(text, top):
         return {"left": text, "right": text, "bottom": text, "top": top}
 
-    write_field(folder, "alpha.water", "volScalarField", "[0 0 0 0 0 0 0]", "uniform 0",
-                walls("zeroGradient;", "inletOutlet; inletValue uniform 0; value uniform 0;"))
-    write_field(folder, "U", "volVectorField", "[0 1 -1 0 0 0 0]", "uniform (0 0 0)",
-                walls("slip;", "pressureInletOutletVelocity; value uniform (0 0 0);"))
-    write_field(folder, "p_rgh", "volScalarField", "[1 -1 -2 0 0 0 0]", "uniform 0",
-                walls("fixedFluxPressure; value uniform 0;", "totalPressure; p0 uniform 0;"))
+    write_dam_break_fields(folder, walls)
     return xs, ys
 
 
@@ -194,6 +203,8 @@ def version():
 
 
 def run(arguments, folder, measured, write_curves):
+    import openfoam_marin
+
     options = parse(arguments)
     case = tempfile.mkdtemp(prefix="openfoam-")  # it takes no spaces in paths
     write_numerics(case, options)
@@ -201,6 +212,9 @@ def run(arguments, folder, measured, write_curves):
     prepare = "blockMesh"
     if options.scene == "dam_break":
         xs, ys = make_dam_break(case, options)
+        prepare += " && setFields"
+    elif options.scene == "marin":
+        openfoam_marin.make(case, options)
         prepare += " && setFields"
     else:
         make_patch(case, options)
@@ -213,6 +227,8 @@ def run(arguments, folder, measured, write_curves):
         write_curves(folder, {"t": [row[0] for row in bottom],
                               "front": [crossing(xs, row[1:], True) for row in bottom],
                               "height": [crossing(ys, row[1:], False) for row in column]})
+    elif options.scene == "marin":
+        write_curves(folder, openfoam_marin.curves(case, options))
     else:
         rows = table(case, "centre", "p")
         time = [row[0] for row in rows]

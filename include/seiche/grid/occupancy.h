@@ -215,8 +215,17 @@ namespace seiche
              const dealii::types::boundary_id wall,
              const unsigned int               component) const;
 
-    /// The pairs (wall, component) of an own node's fixed components.
-    const std::vector<std::pair<dealii::types::boundary_id, unsigned int>> &
+    /// A wall that fixes a component of a node, with the sides of the node on
+    /// which cells have faces on it: bit 0 the upper, bit 1 the lower one, in
+    /// the direction normal to the wall.
+    struct NodeWall
+    {
+      dealii::types::boundary_id wall;
+      unsigned int               component, sides;
+    };
+
+    /// The walls that fix components of an own node.
+    const std::vector<NodeWall> &
     walls_at(const unsigned int node) const
     {
       return walls_full[full_of_compact[node]];
@@ -297,12 +306,10 @@ namespace seiche
     std::vector<unsigned int>                                  fixed_full;
     std::vector<double>                                        volume_full;
     std::vector<dealii::Point<dim>>                            position_full;
-    std::vector<
-      std::vector<std::pair<dealii::types::boundary_id, unsigned int>>>
-                  walls_full;
-    std::uint64_t global_cells = 0;
-    double        smallest     = 0.;
-    bool          open_wall    = false;
+    std::vector<std::vector<NodeWall>>                         walls_full;
+    std::uint64_t                                              global_cells = 0;
+    double                                                     smallest = 0.;
+    bool open_wall                                                      = false;
 
     // compact numbering
     bool                      is_numbered = false;

@@ -74,8 +74,10 @@ namespace seiche
    *
    * Vertical coordinate of the highest point within the width on either side
    * (in every horizontal direction), and half the initial spacing above it;
-   * the bottom of the domain if there is no point. And the depth: volume of the
-   * water above that area over the area, which a single drop hardly changes.
+   * the bottom of the domain if there is no point. And the depth: a mean of the
+   * volume of water per area, which a single drop hardly changes, with weights
+   * that fall linearly to zero at that distance (with equal weights the depth
+   * of still water depended on where the gauge stood between the points).
    * Vertical is the last direction.
    */
   template <int dim>
