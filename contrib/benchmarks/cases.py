@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is compared: scenes, runs of each code, errors. See `benchmark`."""
 
-import csv
 import math
 import os
 from dataclasses import dataclass
+
+from curves import interpolate, read_curves
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -24,6 +25,7 @@ class Case:
     runs: list
     errors: dict  # {column: function(run folder, folder of the reference run or None)}
     time: str = "cpu_seconds"  # what the plot has on its axis
+    by_default: bool = True  # run if no case is named
 
     def rows(self, results):
         """A dictionary a run: name, best and median times, errors. `results`:
@@ -51,22 +53,6 @@ class Case:
 
 
 # ---- errors ----
-
-
-def read_curves(path, name="curves.csv"):
-    with open(os.path.join(path, name), newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(file))
-    return {name: [float(row[i]) for row in rows[1:]] for i, name in enumerate(rows[0])}
-
-
-def interpolate(x, xs, ys):
-    """Linear; constant outside."""
-    if x <= xs[0]:
-        return ys[0]
-    for i in range(1, len(xs)):
-        if x <= xs[i]:
-            return ys[i - 1] + (ys[i] - ys[i - 1]) * (x - xs[i - 1]) / (xs[i] - xs[i - 1])
-    return ys[-1]
 
 
 def rms_difference(column, begin, end, scale):
@@ -97,10 +83,27 @@ def centre_pressure(folder, _):
     return math.sqrt(total / weight)
 
 
+def against_record(column, begin, end):
+    """rms over begin..end of the difference to the measured record of MARIN's tank."""
+
+    def error(folder, _):
+        table = os.path.join(ROOT, "prm", "benchmarks", "marin_box", "reference")
+        record, curves = read_curves(table, "pressure_height.csv"), read_curves(folder)
+        measured = record[next(name for name in record if name.split()[0] == column)]
+        times = [begin + (end - begin) * (i + 0.5) / 300 for i in range(300)]
+        own = curves["t_pressure" if column[0] == "P" and "t_pressure" in curves else "t"]
+        squares = [(interpolate(t, own, curves[column])
+                    - interpolate(t, record["t [s]"], measured)) ** 2 for t in times]
+        return math.sqrt(sum(squares) / len(squares))
+
+    return error
+
+
 # ---- cases ----
 
 DAM = "benchmarks/dam_break_2d/dam_break_2d.prm"
 PATCH = "benchmarks/rotating_patch/rotating_patch.prm"
+MARIN = "benchmarks/marin_box/marin_box.prm"
 COLUMN = "benchmarks/column_collapse_3d/column_collapse_3d.prm"
 H_DAM = {  # cells that a refinement of the coarse mesh can make
     "0.05": [], "0.025": ["Grid/Cells x = 48, 80", "Grid/Cells y = 24, 96", "Time/Step = 0.005"],
@@ -161,5 +164,21 @@ def kratos_3d():
     return Case("Column in three dimensions, 8000 cells, 64000 points", runs, {}, "seconds_a_step")
 
 
+def marin():
+    runs = []
+    for h, level in (("0.08", 1), ("0.04", 2), ("0.02", 3)):
+        levels = [f"Refinement {name}/Level = {level - coarser}"
+                  for name, coarser in (("surface", 0), ("box", 0), ("inside", 1))]
+        runs.append(Run(f"seiche h {h}", "seiche", [MARIN, *levels]))
+        runs.append(Run(f"interFoam h {h} Co 1", "openfoam", ["marin", "--h", h, "--co", "1", "--end", "3"]))
+    return Case("Dam break against a box in three dimensions to 3 s; rms against the measured record, "
+                "depth in m, pressure in Pa", runs,
+                {"H1": against_record("H1", 0, 3), "H2": against_record("H2", 0, 3),
+                 "H2 to 1.3 s": against_record("H2", 0, 1.3), "H3": against_record("H3", 0, 3),
+                 "H4": against_record("H4", 0, 3), "P1": against_record("P1", 0.4, 3),
+                 "P3": against_record("P3", 0.4, 3), "P5": against_record("P5", 0, 3)},
+                by_default=False)
+
+
 CASES = {"dam_break_2d": dam_break(), "rotating_patch": rotating_patch(),
-         "kratos_2d": kratos_2d(), "kratos_3d": kratos_3d()}
+         "kratos_2d": kratos_2d(), "kratos_3d": kratos_3d(), "marin": marin()}

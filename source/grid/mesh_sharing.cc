@@ -10,10 +10,9 @@ namespace seiche
 
   namespace
   {
-    // Work in units of a thousandth of a full cell's (58 us a step in 3D),
-    // measured (doc/scaling.md). Cells at the surface have points instead of
-    // Gauss points as quadrature, and its nodes rows up to three times as long
-    // (ghost faces, halo).
+    // Work in units of a thousandth of a full cell's, measured
+    // (doc/scaling.md). Cells at the surface have points instead of Gauss
+    // points as quadrature, and its nodes longer rows (ghost faces).
     constexpr unsigned int weight_of_empty_cell       = 1;
     constexpr unsigned int weight_of_cell             = 400;
     constexpr unsigned int weight_of_node             = 600;

@@ -194,6 +194,7 @@ namespace seiche
                           communicator);
     if (Utilities::MPI::min(inside ? 1 : 0, communicator) == 0)
       number();
+    dry.assign(n_local_nodes(), 0);
     fixed.resize(n_local_nodes());
     for (unsigned int node = 0; node < fixed.size(); ++node)
       fixed[node] = wall_components(node);
@@ -205,8 +206,9 @@ namespace seiche
                                const unsigned int component,
                                const bool         released)
   {
-    const unsigned int bit = wall_components(node) & (1u << component);
-    fixed[node]            = released ? fixed[node] & ~bit : fixed[node] | bit;
+    const unsigned int bit =
+      wall_components(node) & ~dry[node] & (1u << component);
+    fixed[node] = released ? fixed[node] & ~bit : fixed[node] | bit;
   }
 
   template <int dim>

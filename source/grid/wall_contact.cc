@@ -25,98 +25,72 @@ namespace seiche
                                 Occupancy<dim>            &grid_occupancy,
                                 const BodyForce<dim>      &force,
                                 const double               fluid_density,
-                                const bool                 surface_needed,
-                                const bool                 frees_dry_edges)
+                                const bool                 surface_needed)
     : conditions(wall_conditions)
     , occupancy(grid_occupancy)
     , body_force(force)
     , density(fluid_density)
     , needs_surface(surface_needed)
-    , dry_edges(frees_dry_edges &&
-                !grid_occupancy.locator.grid.parameters.obstacles.empty())
-    , exists(dry_edges ||
-             grid_occupancy.locator.grid.parameters.any_unilateral())
+    , exists(grid_occupancy.locator.grid.parameters.any_unilateral())
   {}
 
   template <int dim>
-  typename WallContact<dim>::NodeWalls
-  WallContact<dim>::walls_of(const unsigned int node,
-                             const unsigned int component) const
+  bool
+  WallContact<dim>::is_unilateral(const unsigned int node,
+                                  const unsigned int component) const
   {
-    NodeWalls result;
-    for (const auto &entry : occupancy.walls_at(node))
-      if (entry.component == component)
-        {
-          const WallCondition condition =
-            occupancy.locator.grid.wall_condition(entry.wall);
-          result.sides |= entry.sides;
-          result.all_unilateral =
-            result.all_unilateral && condition == WallCondition::unilateral;
-          result.all_slip =
-            result.all_slip && condition != WallCondition::no_slip;
-        }
-    return result;
+    const auto &walls = occupancy.walls_at(node);
+    return std::all_of(walls.begin(), walls.end(), [&](const auto &entry) {
+      return entry.component != component ||
+             occupancy.locator.grid.wall_condition(entry.wall) ==
+               WallCondition::unilateral;
+    });
   }
 
   template <int dim>
   void
   WallContact<dim>::collect()
   {
-    struct Cells // around an own node
-    {
-      Tensor<1, dim> extent;        // [m], the least
-      unsigned int   wet       = 0; // bit c: occupied, with a face normal to c
-      bool           has_fluid = false;
-    };
-    std::vector<Cells> cells_at(occupancy.n_own_nodes());
-    const auto        &locator = occupancy.locator;
+    // [own node][component]: least extent beside the wall, sides with fluid
+    std::vector<std::array<double, dim>>       extent(occupancy.n_own_nodes());
+    std::vector<std::array<unsigned int, dim>> sides(occupancy.n_own_nodes());
+    const auto                                &locator = occupancy.locator;
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
       if (occupancy.is_active(cell))
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+        for (const unsigned int face : GeometryInfo<dim>::face_indices())
           {
-            const unsigned int node = occupancy.cell_nodes(cell)[a];
-            if (node >= occupancy.n_own_nodes() ||
-                occupancy.wall_components(node) == 0 ||
-                occupancy.hanging().hangs(cell, a))
+            const types::boundary_id wall = locator.boundary_id(cell, face);
+            const unsigned int       c    = face / 2;
+            if (wall == numbers::internal_face_boundary_id ||
+                locator.grid.wall_condition(wall) != WallCondition::unilateral)
               continue;
-            Cells &cells = cells_at[node];
-            for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
               {
-                const double extent = locator.extent(cell)[c];
-                cells.extent[c]     = cells.extent[c] == 0. ?
-                                        extent :
-                                        std::min(cells.extent[c], extent);
+                const unsigned int node = occupancy.cell_nodes(cell)[a];
+                if (occupancy.place(a, c) != (face % 2) * occupancy.fe.degree ||
+                    occupancy.hanging().hangs(cell, a) ||
+                    node >= occupancy.n_own_nodes())
+                  continue;
+                double &least = extent[node][c];
+                least         = sides[node][c] == 0 ?
+                                  locator.extent(cell)[c] :
+                                  std::min(least, locator.extent(cell)[c]);
+                sides[node][c] |= face % 2 == 0 ? 1u : 2u;
               }
-            if (!occupancy.is_occupied(cell))
-              continue;
-            cells.has_fluid = true;
-            for (const unsigned int face : GeometryInfo<dim>::face_indices())
-              if (occupancy.place(a, face / 2) ==
-                    (face % 2) * occupancy.fe.degree &&
-                  locator.boundary_id(cell, face) !=
-                    numbers::internal_face_boundary_id)
-                cells.wet |= 1u << (face / 2);
           }
     contacts.clear();
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
-        {
-          const NodeWalls walls = walls_of(node, c);
-          if (walls.sides != 1u && walls.sides != 2u)
-            continue;
-          const Cells &cells = cells_at[node];
-          const bool   dry   = dry_edges && walls.all_slip && cells.has_fluid &&
-                           ((cells.wet >> c) & 1u) == 0;
-          if (dry || walls.all_unilateral)
-            contacts.push_back({node,
-                                c,
-                                walls.sides == 1u ? 1. : -1.,
-                                cells.extent[c],
-                                dry,
-                                /*pressing=*/0.,
-                                /*margin=*/0.,
-                                /*releases=*/0});
-        }
+        if ((sides[node][c] == 1u || sides[node][c] == 2u) &&
+            ((occupancy.dry_components(node) >> c) & 1u) == 0 &&
+            is_unilateral(node, c))
+          contacts.push_back({node,
+                              c,
+                              sides[node][c] == 1u ? 1. : -1.,
+                              extent[node][c],
+                              /*pressing=*/0.,
+                              /*margin=*/0.,
+                              /*releases=*/0});
   }
 
   template <int dim>
@@ -142,10 +116,8 @@ namespace seiche
              .norm());
         // a hat at a wall: its area is 2/h times its volume, mass/density
         contact.pressing =
-          contact.dry ?
-            0. :
-            std::max(0., state.pressure_guess.local_element(contact.node)) *
-              mass / density * 2. * occupancy.fe.degree / contact.extent;
+          std::max(0., state.pressure_guess.local_element(contact.node)) *
+          mass / density * 2. * occupancy.fe.degree / contact.extent;
         contact.releases = 0;
         const double velocity =
           contact.inward * state.velocity_n.local_element(dim * contact.node +

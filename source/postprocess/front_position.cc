@@ -23,11 +23,11 @@ namespace seiche
                  const double lower,
                  const double upper)
     {
-      const auto half = [width](const double length) {
-        const double x = std::clamp(length, 0., width);
-        return x * (1. - 0.5 * x / width);
+      const auto from_top = [width](const double distance) {
+        const double x = std::clamp(distance, -width, width);
+        return x * (1. - 0.5 * std::abs(x) / width);
       };
-      return half(top - lower) + half(upper - top);
+      return std::max(0., from_top(upper - top) - from_top(lower - top));
     }
 
     void
@@ -142,9 +142,29 @@ namespace seiche
     const std::vector<GaugeParameters<dim>> &parameters,
     const BackgroundGrid<dim>               &grid)
     : gauges(parameters)
-    , lower_corner(grid.parameters.lower_corner)
-    , upper_corner(grid.parameters.upper_corner)
+    , box(grid.parameters)
   {}
+
+  template <int dim>
+  double
+  WaterLevel<dim>::area(const Point<dim> &position, const double width) const
+  {
+    const auto under = [&](const Point<dim> &lower, const Point<dim> &upper) {
+      double result = 1.;
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        result *= hat_integral(position[d],
+                               width,
+                               std::max(lower[d], box.lower_corner[d]),
+                               std::min(upper[d], box.upper_corner[d]));
+      return result;
+    };
+    double result = under(box.lower_corner, box.upper_corner);
+    for (const auto &obstacle : box.obstacles)
+      if (obstacle.lower_corner[dim - 1] <= box.lower_corner[dim - 1])
+        result -= under(obstacle.lower_corner, obstacle.upper_corner);
+    // a gauge on an obstacle sees what is above it
+    return result > 0. ? result : under(box.lower_corner, box.upper_corner);
+  }
 
   template <int dim>
   void
@@ -160,13 +180,9 @@ namespace seiche
         const double *height = view.points.data(PointColumn::position, dim - 1);
         const double *volume = view.points.data(PointColumn::initial_volume);
         std::array<const double *, dim - 1> x;
-        double area = 1.; // under the weights, inside the domain
         for (unsigned int d = 0; d + 1 < dim; ++d)
-          {
-            x[d]           = view.points.data(PointColumn::position, d);
-            const double c = gauges[g].position[d];
-            area *= hat_integral(c, width, lower_corner[d], upper_corner[d]);
-          }
+          x[d] = view.points.data(PointColumn::position, d);
+        const double whole = area(gauges[g].position, width);
         for (std::size_t i = 0; i < view.points.size(); ++i)
           {
             double weight = 1.;
@@ -176,7 +192,7 @@ namespace seiche
             if (weight > 0.)
               {
                 level[g] = std::max(level[g], height[i]);
-                depth[g] += weight * volume[i] / area;
+                depth[g] += weight * volume[i] / whole;
               }
           }
       }
@@ -189,7 +205,7 @@ namespace seiche
       {
         const auto columns = gauges[g].columns();
         statistics.set(columns[0],
-                       level[g] == lowest ? lower_corner[dim - 1] :
+                       level[g] == lowest ? box.lower_corner[dim - 1] :
                                             level[g] + view.half_spacing);
         statistics.set(columns[1], depth[g]);
       }

@@ -45,12 +45,12 @@ namespace seiche
                                  is_incompressible))
     , wall_velocity(scene.grid, scene.input)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
+    , dry_edges(occupancy)
     , wall_contact(wall_conditions,
                    occupancy,
                    body_force,
                    scene.fluid.density,
-                   is_incompressible,
-                   !time_scheme.needs_acceleration())
+                   is_incompressible)
     , matrix(occupancy, has_pressure)
     , assembler(formulation,
                 *quadrature,
@@ -109,6 +109,8 @@ namespace seiche
     last = NewtonResult();
     if (const std::string problem = problem_of_walls(state); !problem.empty())
       return problem;
+    if (!time_scheme.needs_acceleration())
+      dry_edges.update(state);
     const StepCoefficients step = step_coefficients(state.dt, share);
     linear_solver.begin_step();
     if (const std::string problem = find_start_velocity(state, step, projects);

@@ -3,7 +3,9 @@
 #include <seiche/solve/epetra_copy.h>
 
 #include <EpetraExt_MatrixMatrix.h>
+#include <Epetra_MultiVector.h>
 #include <Epetra_Vector.h>
+#include <Teuchos_ParameterList.hpp>
 
 #include <array>
 
@@ -29,15 +31,15 @@ namespace seiche
     constexpr types::global_dof_index schur_direct_below =
       dim == 2 ? 2000 : 1000;
 
-    /// Least volume of a node [smallest cell] for the viscous part of S^-1,
-    /// which divides by it: a point on a grid line gives nodes beyond it 1e-50
-    /// of one. Measured, doc/theory.md.
+    /// Least volume of a node [(smallest edge/degree)^dim] for the viscous
+    /// part of S^-1, which divides by it: a point on a grid line gives nodes
+    /// beyond it 1e-50 of one. Measured, doc/theory.md.
     constexpr double least_volume = 0.1;
 
     /// A shift that makes the singular Laplacian of a closed box definite.
     constexpr double closed_shift = 1e-7;
 
-    /// Settings of both hierarchies.
+    /// Settings of both hierarchies, in deal.II's terms.
     TrilinosWrappers::PreconditionAMG::AdditionalData
     amg_settings()
     {
@@ -86,7 +88,8 @@ namespace seiche
     if (viscous_factor > 0.)
       {
         volume.reinit(mass, /*omit_zeroing=*/true);
-        const double least = least_volume * std::pow(h, dim);
+        const double least =
+          least_volume * std::pow(h / occupancy.fe.degree, dim);
         for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
           volume.local_element(i) =
             std::max(mass.local_element(i) / material.density, least);
@@ -167,6 +170,7 @@ namespace seiche
         return;
       }
 
+    schur_amg.reset(); // its smoothers refer to the old matrix
     if (scaled_block)
       {
         schur = epetra_copy(*matrix,
@@ -204,12 +208,18 @@ namespace seiche
           diagonal_entry(*schur, i) *= 1. + closed_shift;
       }
     schur_generation = matrix->generation();
-    schur_amg.reset();
     if (matrix->occupancy.n_global_nodes() < schur_direct_below<dim> &&
         schur_factors.initialize(*schur))
       return;
     schur_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
-    schur_amg->initialize(*schur, amg_settings());
+    // measured (doc/performance.md): fewer iterations than with Chebyshev
+    Teuchos::ParameterList              settings;
+    std::unique_ptr<Epetra_MultiVector> constant_modes;
+    amg_settings().set_parameters(settings, constant_modes, *schur);
+    settings.set("smoother: type", "symmetric Gauss-Seidel");
+    settings.set("smoother: sweeps", 1);
+    settings.set("eigen-analysis: type", "Anorm");
+    schur_amg->initialize(*schur, settings);
   }
 
   template <int dim>

@@ -18,6 +18,11 @@ namespace seiche
     /// Backtracking halves the update until the residual falls, down to this
     /// share of it: impacts turn a drop's velocity within a step.
     constexpr double shortest_step = 1. / 16.;
+
+    /// The tangent is made anew unless the residual is nearer than this share
+    /// of the reduction still needed to what the old one promised: the next
+    /// iteration then ends as with a new one. Measured: doc/performance.md.
+    constexpr double tangent_serves_below = 0.3;
   } // namespace
 
   void
@@ -113,12 +118,37 @@ namespace seiche
   }
 
   template <int dim>
+  bool
+  Newton<dim>::tangent_serves(const double needed, const double before) const
+  {
+    return solver.norm(model_error) < tangent_serves_below * needed * before;
+  }
+
+  template <int dim>
+  std::string
+  Newton<dim>::not_converged(const Norms       &now,
+                             const Norms       &first,
+                             const unsigned int iterations) const
+  {
+    if (iterations < parameters.maximum_iterations &&
+        std::isfinite(now.momentum + now.volume))
+      return "";
+    return fmt::format(
+      "Newton stopped after {} iterations, residuals {:.1e} and {:.1e} of "
+      "their first values",
+      iterations,
+      now.momentum / first.momentum,
+      first.volume > 0. ? now.volume / first.volume : 0.);
+  }
+
+  template <int dim>
   NewtonResult
   Newton<dim>::solve(GridState<dim> &state)
   {
     NewtonResult result;
     residual.reinit(state.solution);
     update.reinit(state.solution);
+    model_error.reinit(state.solution);
     projection.begin(state);
     assembler.residual(state, residual);
     const Norms first = norms(residual), scale = scales(state);
@@ -130,6 +160,7 @@ namespace seiche
 
     Norms  now     = first;
     double forcing = largest_forcing;
+    bool   reuse   = false; // the tangent
     // not (a > b): a residual that is not a number has not converged
     const auto is_small = [&]() {
       return now.momentum <= target.momentum && now.volume <= target.volume;
@@ -139,23 +170,19 @@ namespace seiche
         if ((result.iterations > 0 || is_small()) && contact.correct(state))
           {
             assembler.residual(state, residual);
-            now = norms(residual);
+            now   = norms(residual);
+            reuse = false;
           }
         if (is_small())
           break;
-        if (result.iterations == parameters.maximum_iterations ||
-            !std::isfinite(now.momentum + now.volume))
+        result.failure = not_converged(now, first, result.iterations);
+        if (!result.failure.empty())
+          return result;
+        if (!reuse)
           {
-            result.failure = fmt::format(
-              "Newton stopped after {} iterations, residuals {:.1e} and {:.1e} "
-              "of their first values",
-              result.iterations,
-              now.momentum / first.momentum,
-              first.volume > 0. ? now.volume / first.volume : 0.);
-            return result;
+            assembler.tangent(state, matrix);
+            solver.initialize(matrix, assembler, state.mass);
           }
-        assembler.tangent(state, matrix);
-        solver.initialize(matrix, assembler, state.mass);
         const double before = solver.norm(residual);
         residual *= -1.;
         const LinearResult linear = solver.solve(update, residual, forcing);
@@ -168,17 +195,21 @@ namespace seiche
                           linear.iterations);
             return result;
           }
+        matrix.vmult(model_error, update);
+        model_error -= residual; // what would be left, were the problem linear
         const double after = move(state, before);
+        model_error -= residual;
         if (projection.update(state, result.iterations))
           assembler.residual(state, residual);
         now = norms(residual);
 
-        // what is left to gain: never ask the next solve for much more
         const double needed =
-          0.3 * std::min(target.momentum / now.momentum,
-                         now.volume > 0. ? target.volume / now.volume : 1.);
+          std::min(target.momentum / now.momentum,
+                   now.volume > 0. ? target.volume / now.volume : 1.);
+        reuse = tangent_serves(needed, before);
+        // never ask the next solve for much more than is left to gain
         forcing = std::clamp(0.9 * std::pow(after / before, 2),
-                             std::min(needed, largest_forcing),
+                             std::min(0.3 * needed, largest_forcing),
                              largest_forcing);
       }
     result.converged = true;

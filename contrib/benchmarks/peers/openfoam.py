@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""OpenFOAM (interFoam, interIsoFoam) on our two-dimensional scenes: writes a
+"""OpenFOAM (interFoam, interIsoFoam) on our scenes: writes a
 case with the settings of its dam-break tutorial, runs it on one core and reads
 front, height or centre pressure.
 
-Dam break: the same tank, but 1.8 m high and open at the top, slip walls, air of
+Dam break (two dimensions): the same tank, but 1.8 m high and open at the top, slip walls, air of
 1 kg/m^3, no surface tension. Patch: in a box of 3.6 m of air of density 1e-3.
-Front: last crossing of the volume fraction 0.5 along the lowest row of cells;
+Tank with a box: openfoam_marin.py. Front: last crossing of the volume fraction 0.5 along the lowest row of cells;
 height: first crossing along the left column.
 """
 
@@ -82,6 +82,7 @@ functions {{ {functions} }}""")
 
 
 def probes(name, field, points, control, kind="probes", extra=""):
+    """`points`: (x, y) in the middle of a layer of cells, or (x, y, z)."""
     places = " ".join("(%.9g %.9g %.9g)" % (*place, THICKNESS / 2)[:3] for place in points)
     return (f"{name} {{ type {kind}; libs (sampling); fields ({field}); {extra} {control} "
             f"probeLocations ( {places} ); }}\n")
@@ -89,8 +90,7 @@ def probes(name, field, points, control, kind="probes", extra=""):
 
 def write_field(folder, name, kind, dimensions, inside, patches):
     write(folder, "0/" + name, kind, f"dimensions {dimensions}; internalField {inside}; boundaryField {{ "
-          + " ".join(f"{patch} {{ type {text} }}" for patch, text in patches.items())
-          + " frontAndBack { type empty; } }")
+          + " ".join(f"{patch} {{ type {text} }}" for patch, text in patches.items()) + " }")
 
 
 def write_water_and_air(folder, gravity):
@@ -137,7 +137,7 @@ regions ( boxToCell {{ box (-1 -1 -1) ({COLUMN_WIDTH} {COLUMN_HEIGHT} 1);
     write_water_and_air(folder, f"(0 {-GRAVITY} 0)")
 
     def walls(text, top):
-        return {"left": text, "right": text, "bottom": text, "top": top}
+        return {"left": text, "right": text, "bottom": text, "top": top, "frontAndBack": "empty;"}
 
     write_dam_break_fields(folder, walls)
     return xs, ys
@@ -169,12 +169,12 @@ air {{ transportModel Newtonian; nu 1e-5; rho {AIR}; }} sigma 0;""")
     velocity = "\n".join("(%.8g %.8g 0)" % ((y, -x) if a > 0 else (0, 0)) for x, y, a in cells)
     write_field(folder, "alpha.water", "volScalarField", "[0 0 0 0 0 0 0]",
                 f"nonuniform List<scalar> {n * n} (\n{alpha}\n)",
-                {"outer": "inletOutlet; inletValue uniform 0; value uniform 0;"})
+                {"outer": "inletOutlet; inletValue uniform 0; value uniform 0;", "frontAndBack": "empty;"})
     write_field(folder, "U", "volVectorField", "[0 1 -1 0 0 0 0]",
                 f"nonuniform List<vector> {n * n} (\n{velocity}\n)",
-                {"outer": "pressureInletOutletVelocity; value uniform (0 0 0);"})
+                {"outer": "pressureInletOutletVelocity; value uniform (0 0 0);", "frontAndBack": "empty;"})
     write_field(folder, "p_rgh", "volScalarField", "[1 -1 -2 0 0 0 0]", "uniform 0",
-                {"outer": "totalPressure; p0 uniform 0;"})
+                {"outer": "totalPressure; p0 uniform 0;", "frontAndBack": "empty;"})
 
 
 def table(folder, name, field):

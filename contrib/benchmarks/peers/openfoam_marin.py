@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The tank with a box (prm/benchmarks/marin_box) for OpenFOAM: one block of cells
-between each pair of neighbouring grid lines of the scene, air above, open top."""
+"""The tank with a box for OpenFOAM: one block of cells between each pair of
+neighbouring grid lines of the scene, air above, open top. The numbers below are
+those of prm/benchmarks/marin_box/marin_box.prm."""
 
 import openfoam
+from curves import interpolate
 
 LINES = ((0, 0.6635, 0.8245, 1.992, 3.22), (0, 0.295, 0.698, 1), (0, 0.161, 0.55, 1))
 COLUMN = "(1.992 -1 -1) (4 2 0.55)"
@@ -80,8 +82,6 @@ regions ( boxToCell {{ box {COLUMN}; fieldValues ( volScalarFieldValue alpha.wat
 
 def curves(folder, options):
     """{name: values} as in curves.csv: depths on their raster, pressures on it too."""
-    import cases
-
     _, sizes = columns(options.h)
     result = {}
     for i in range(len(GAUGES)):
@@ -91,5 +91,5 @@ def curves(folder, options):
     for i in range(len(SENSORS)):
         rows = openfoam.table(folder, "P%d" % (i + 1), "p")
         times, values = [row[0] for row in rows], [row[1] for row in rows]
-        result["P%d" % (i + 1)] = [cases.interpolate(t, times, values) for t in result["t"]]
+        result["P%d" % (i + 1)] = [interpolate(t, times, values) for t in result["t"]]
     return result

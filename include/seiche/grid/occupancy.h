@@ -179,11 +179,25 @@ namespace seiche
       return fixed[node];
     }
 
-    /// The same, released or not.
+    /// The same, released, dry or not.
     unsigned int
     wall_components(const unsigned int node) const
     {
       return fixed_full[full_of_compact[node]];
+    }
+
+    /// Components of an own node whose walls have no fluid at them in this
+    /// step: they do not fix it. share_fixed() makes it known.
+    void
+    set_dry(const unsigned int node, const unsigned int components)
+    {
+      dry[node]   = components;
+      fixed[node] = wall_components(node) & ~components;
+    }
+    unsigned int
+    dry_components(const unsigned int node) const
+    {
+      return dry[node];
     }
 
     /// Release a component that a wall fixes, or fix it again: own nodes, until
@@ -217,7 +231,8 @@ namespace seiche
 
     /// A wall that fixes a component of a node, with the sides of the node on
     /// which cells have faces on it: bit 0 the upper, bit 1 the lower one, in
-    /// the direction normal to the wall.
+    /// the direction normal to the face (that of the component, unless the
+    /// wall is a no-slip one).
     struct NodeWall
     {
       dealii::types::boundary_id wall;
@@ -314,6 +329,7 @@ namespace seiche
     // compact numbering
     bool                      is_numbered = false;
     std::vector<unsigned int> fixed; // fixed_components() by local node
+    std::vector<unsigned int> dry;   // see set_dry()
     unsigned int              numbering_generation = 0;
     unsigned int              n_own                = 0;
     std::uint64_t             global_occupied      = 0;

@@ -23,10 +23,6 @@ namespace seiche
    * projection of the start velocity has the same condition with impulses; the
    * old pressure's counts as part of them, for it will press during the step.
    *
-   * The same holds at a convex edge of an obstacle for the face that has no
-   * fluid in a cell at it: water that climbs the other face goes on past the
-   * edge. Fixed by both faces it would be turned back there.
-   *
    * A domain full of an incompressible fluid knows the pressure up to a
    * constant only: there all nodes stay fixed.
    */
@@ -37,15 +33,14 @@ namespace seiche
     using Vector = typename GridState<dim>::Vector;
 
     /// @p density [kg/m^3]; @p needs_surface: pressure without a free surface
-    /// is not determined; @p frees_dry_edges: of obstacles, as above. References must outlive the object.
+    /// is not determined. References must outlive the object.
     WallContact(const WallConditions<dim> &conditions,
                 Occupancy<dim>            &occupancy,
                 const BodyForce<dim>      &body_force,
                 const double               density,
-                const bool                 needs_surface,
-                const bool                 frees_dry_edges);
+                const bool                 needs_surface);
 
-    /// True if there are unilateral walls or edges that may be free.
+    /// True if there are unilateral walls.
     bool
     any() const
     {
@@ -74,13 +69,12 @@ namespace seiche
     correct(GridState<dim> &state);
 
   private:
-    /// Normal component of an own node on unilateral walls or dry faces.
+    /// Normal component of an own node on unilateral walls.
     struct Contact
     {
       unsigned int node, component;
       double       inward;   ///< +1 or -1: side of the fluid
       double       extent;   ///< [m] of the cell, normal to the wall
-      bool         dry;      ///< no fluid at these faces: nothing presses
       double       pressing; ///< [N] least force to the wall, from old pressure
       double       margin;   ///< [N] tension below it is round-off
       unsigned int releases; ///< in this solve
@@ -90,15 +84,8 @@ namespace seiche
     void
     collect();
 
-    /// What fixes a component of a node.
-    struct NodeWalls
-    {
-      unsigned int sides          = 0; ///< of the node with faces on them
-      bool         all_unilateral = true;
-      bool         all_slip       = true; ///< or unilateral
-    };
-    NodeWalls
-    walls_of(const unsigned int node, const unsigned int component) const;
+    bool
+    is_unilateral(const unsigned int node, const unsigned int component) const;
 
     bool
     is_fixed(const Contact &contact) const
@@ -121,7 +108,6 @@ namespace seiche
     const BodyForce<dim>      &body_force;
     const double               density;
     const bool                 needs_surface;
-    const bool                 dry_edges;
     const bool                 exists;
     bool                       active      = false; ///< in this step
     unsigned int               projections = 0;     ///< of this attempt

@@ -84,6 +84,7 @@ namespace seiche
   class WaterLevel : public Postprocessor<dim>
   {
   public:
+    /// @p grid must outlive the object.
     WaterLevel(const std::vector<GaugeParameters<dim>> &parameters,
                const BackgroundGrid<dim>               &grid);
 
@@ -91,8 +92,13 @@ namespace seiche
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 
   private:
+    /// Integral of a gauge's weights over the domain without the obstacles
+    /// that stand on the bottom [m^(dim-1)].
+    double
+    area(const dealii::Point<dim> &position, const double width) const;
+
     const std::vector<GaugeParameters<dim>> gauges;
-    const dealii::Point<dim>                lower_corner, upper_corner; // [m]
+    const GridParameters<dim>              &box;
   };
 } // namespace seiche
 

@@ -2,6 +2,7 @@
 #ifndef seiche_simulation_step_solver_h
 #define seiche_simulation_step_solver_h
 
+#include <seiche/grid/dry_edges.h>
 #include <seiche/grid/wall_contact.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene.h>
@@ -105,6 +106,7 @@ namespace seiche
     const std::unique_ptr<Quadrature<dim>> quadrature;
     const WallVelocity<dim>                wall_velocity;
     const WallConditions<dim>              wall_conditions;
+    DryEdges<dim>                          dry_edges;
     WallContact<dim>                       wall_contact;
     BlockMatrix<dim>                       matrix;
     Assembler<dim>                         assembler;

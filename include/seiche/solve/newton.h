@@ -36,9 +36,10 @@ namespace seiche
    * The residual of each field (momentum [N], volume [m^dim]) must fall below
    * tolerance times its first value, or below the absolute tolerance times
    * the forces (volumes) at work. Forcing terms: Eisenstat and Walker 1996,
-   * choice 2, not below what the convergence test can use. Updates that make
-   * the residual grow are shortened. The set of nodes that unilateral walls
-   * hold is corrected after each of them.
+   * choice 2, not below what the convergence test can use. The tangent serves
+   * the next iteration as well if the problem proved nearly linear. Updates
+   * that make the residual grow are shortened. The set of nodes that unilateral
+   * walls hold is corrected after each of them.
    */
   template <int dim>
   class Newton
@@ -78,6 +79,17 @@ namespace seiche
     double
     move(GridState<dim> &state, const double before);
 
+    /// True if the tangent is good enough for a reduction by @p needed after an
+    /// iteration that began with the residual @p before.
+    bool
+    tangent_serves(const double needed, const double before) const;
+
+    /// Why the iteration must stop, or nothing.
+    std::string
+    not_converged(const Norms       &now,
+                  const Norms       &first,
+                  const unsigned int iterations) const;
+
     const NewtonParameters   parameters;
     const double             largest_forcing;
     Assembler<dim>          &assembler;
@@ -86,6 +98,7 @@ namespace seiche
     LinearSolver<dim>       &solver;
     WallContact<dim>        &contact;
     BlockVector              residual, update;
+    BlockVector              model_error; ///< of the linear model, last update
   };
 } // namespace seiche
 

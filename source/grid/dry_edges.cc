@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/dry_edges.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  DryEdges<dim>::DryEdges(Occupancy<dim> &grid_occupancy)
+    : occupancy(grid_occupancy)
+    , exist(!grid_occupancy.locator.grid.parameters.obstacles.empty())
+  {}
+
+  template <int dim>
+  void
+  DryEdges<dim>::find_fluid()
+  {
+    const auto &locator = occupancy.locator;
+    nodes.assign(occupancy.n_own_nodes(), EdgeNode());
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      if (occupancy.is_occupied(cell))
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          {
+            // for a hanging node: with degree 1 its master in the same corner
+            const unsigned int node = occupancy.cell_nodes(cell)[a];
+            if (node >= occupancy.n_own_nodes())
+              continue;
+            nodes[node].has_fluid = true;
+            if (occupancy.fe.degree > 1 && occupancy.hanging().hangs(cell, a))
+              nodes[node].wet = ~0u; // masters lie elsewhere: all stays fixed
+            for (const unsigned int face : GeometryInfo<dim>::face_indices())
+              if (occupancy.place(a, face / 2) ==
+                    (face % 2) * occupancy.fe.degree &&
+                  locator.boundary_id(cell, face) !=
+                    numbers::internal_face_boundary_id)
+                nodes[node].wet |= 1u << (face / 2);
+          }
+  }
+
+  template <int dim>
+  unsigned int
+  DryEdges<dim>::obstacle_components(const unsigned int node) const
+  {
+    unsigned int slip = 0, other = 0;
+    for (const auto &[wall, component, sides] : occupancy.walls_at(node))
+      if (wall >= 2 * dim && (sides == 1u || sides == 2u) &&
+          occupancy.locator.grid.wall_condition(wall) != WallCondition::no_slip)
+        slip |= 1u << component;
+      else
+        other |= 1u << component;
+    return slip & ~other;
+  }
+
+  template <int dim>
+  unsigned int
+  DryEdges<dim>::slowest_inward(const unsigned int    node,
+                                const unsigned int    components,
+                                const GridState<dim> &state) const
+  {
+    unsigned int result = dim;
+    double       least  = std::numeric_limits<double>::max();
+    for (const auto &[wall, component, sides] : occupancy.walls_at(node))
+      if ((components >> component) & 1u)
+        {
+          const double speed =
+            (sides == 1u ? -1. : 1.) *
+            state.velocity_n.local_element(dim * node + component);
+          if (speed <= 0.)
+            return dim;
+          if (speed < least)
+            {
+              least  = speed;
+              result = component;
+            }
+        }
+    return result;
+  }
+
+  template <int dim>
+  void
+  DryEdges<dim>::update(const GridState<dim> &state)
+  {
+    if (!exist)
+      return;
+    find_fluid();
+    for (unsigned int node = 0; node < nodes.size(); ++node)
+      {
+        if (!nodes[node].has_fluid)
+          continue;
+        const unsigned int faces = obstacle_components(node);
+        const unsigned int wet   = faces & nodes[node].wet;
+        unsigned int       free  = faces & ~wet;
+        if (wet == 0 && free != 0)
+          {
+            const unsigned int slowest = slowest_inward(node, free, state);
+            if (slowest < dim)
+              free &= ~(1u << slowest);
+          }
+        occupancy.set_dry(node, free);
+      }
+    occupancy.share_fixed();
+  }
+
+  template class DryEdges<2>;
+  template class DryEdges<3>;
+} // namespace seiche
