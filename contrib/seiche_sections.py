@@ -77,7 +77,7 @@ def depth_picture(run, frames, filename):
     lower, upper = domain(run, frames[0][1]["points"])
     edges = columns_of(lower, upper, frames[0][1])
     maps = [depth(frame, edges) for _, frame in frames]
-    highest = max(numpy.percentile(values[values > 0], 99.5) for values in maps)
+    highest = max(numpy.percentile(values[values > 0], 99.5) if values.any() else 0 for values in maps)
     figure, all_axes = panels(len(frames), lower, upper, (0, 1))
     for axes, (time, _), values in zip(all_axes, frames, maps):
         shown = numpy.ma.masked_equal(values.T, 0.0)
