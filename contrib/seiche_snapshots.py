@@ -69,13 +69,16 @@ def domain(run, positions):
     return numpy.array(lower), numpy.array(upper)
 
 
+def obstacles(run):
+    """Lower and upper corners of the obstacles whose corners are given."""
+    names = ["Obstacle %s/%%s corner" % name for name in run.instances("Obstacle")]
+    corners = [(run.numbers(name % "Lower"), run.numbers(name % "Upper")) for name in names]
+    return [(lower, upper) for lower, upper in corners if lower and upper]
+
+
 def draw_obstacles(axes, run, horizontal, vertical, plane=None):
     """All, or those that a plane (direction, place [m]) goes through."""
-    for name in run.instances("Obstacle"):
-        lower = run.numbers("Obstacle %s/Lower corner" % name)
-        upper = run.numbers("Obstacle %s/Upper corner" % name)
-        if not (lower and upper):
-            continue
+    for lower, upper in obstacles(run):
         if plane is None or lower[plane[0]] <= plane[1] <= upper[plane[0]]:
             axes.add_patch(
                 plt.Rectangle(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/dry_edges.h>
 
+#include <limits>
+
 namespace seiche
 {
   using namespace dealii;
@@ -13,28 +15,36 @@ namespace seiche
 
   template <int dim>
   void
-  DryEdges<dim>::find_fluid()
+  DryEdges<dim>::reinit()
   {
-    const auto &locator = occupancy.locator;
-    nodes.assign(occupancy.n_own_nodes(), EdgeNode());
+    nodes.clear();
+    if (!exist)
+      return;
+    const auto               &locator = occupancy.locator;
+    std::vector<unsigned int> wet(occupancy.n_own_nodes(), 0);
+    std::vector<char>         has_fluid(occupancy.n_own_nodes(), 0);
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
       if (occupancy.is_occupied(cell))
         for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
           {
             // for a hanging node: with degree 1 its master in the same corner
             const unsigned int node = occupancy.cell_nodes(cell)[a];
-            if (node >= occupancy.n_own_nodes())
+            if (node >= occupancy.n_own_nodes() ||
+                occupancy.wall_components(node) == 0)
               continue;
-            nodes[node].has_fluid = true;
+            has_fluid[node] = 1;
             if (occupancy.fe.degree > 1 && occupancy.hanging().hangs(cell, a))
-              nodes[node].wet = ~0u; // masters lie elsewhere: all stays fixed
+              wet[node] = ~0u; // masters lie elsewhere: all stays fixed
             for (const unsigned int face : GeometryInfo<dim>::face_indices())
               if (occupancy.place(a, face / 2) ==
                     (face % 2) * occupancy.fe.degree &&
                   locator.boundary_id(cell, face) !=
                     numbers::internal_face_boundary_id)
-                nodes[node].wet |= 1u << (face / 2);
+                wet[node] |= 1u << (face / 2);
           }
+    for (unsigned int node = 0; node < wet.size(); ++node)
+      if (has_fluid[node])
+        nodes.push_back({node, wet[node]});
   }
 
   template <int dim>
@@ -82,13 +92,10 @@ namespace seiche
   {
     if (!exist)
       return;
-    find_fluid();
-    for (unsigned int node = 0; node < nodes.size(); ++node)
+    for (const auto &[node, wet_components] : nodes)
       {
-        if (!nodes[node].has_fluid)
-          continue;
         const unsigned int faces = obstacle_components(node);
-        const unsigned int wet   = faces & nodes[node].wet;
+        const unsigned int wet   = faces & wet_components;
         unsigned int       free  = faces & ~wet;
         if (wet == 0 && free != 0)
           {

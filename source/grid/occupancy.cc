@@ -13,6 +13,23 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    template <int dim>
+    void
+    add_wall(std::vector<typename Occupancy<dim>::NodeWall> &walls,
+             const typename Occupancy<dim>::NodeWall        &wall)
+    {
+      for (auto &known : walls)
+        if (known.wall == wall.wall && known.component == wall.component)
+          {
+            known.sides |= wall.sides;
+            return;
+          }
+      walls.push_back(wall);
+    }
+  } // namespace
+
   template <int dim>
   Occupancy<dim>::Occupancy(const CellLocator<dim> &cell_locator,
                             const unsigned int      degree)
@@ -127,18 +144,8 @@ namespace seiche
                     const unsigned int node =
                       full_cell_nodes[cell * n_nodes + a];
                     fixed_full[node] |= 1u << c;
-                    auto              &list  = walls_full[node];
-                    const auto         entry = std::find_if(list.begin(),
-                                                    list.end(),
-                                                    [&](const NodeWall &old) {
-                                                      return old.wall == wall &&
-                                                             old.component == c;
-                                                    });
-                    const unsigned int side  = 1u << (face % 2);
-                    if (entry == list.end())
-                      list.push_back({wall, c, side});
-                    else
-                      entry->sides |= side;
+                    add_wall<dim>(walls_full[node],
+                                  {wall, c, 1u << (face % 2)});
                   }
         }
     // an owner sees all cells around its nodes, a ghost's copy may not

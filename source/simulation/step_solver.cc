@@ -78,6 +78,8 @@ namespace seiche
   StepSolver<dim>::reinit()
   {
     matrix.reinit(fill);
+    if (!time_scheme.needs_acceleration())
+      dry_edges.reinit();
     inertia_offset.reinit(occupancy.vector_partitioner());
     rate_offset.reinit(occupancy.vector_partitioner());
   }
@@ -109,8 +111,7 @@ namespace seiche
     last = NewtonResult();
     if (const std::string problem = problem_of_walls(state); !problem.empty())
       return problem;
-    if (!time_scheme.needs_acceleration())
-      dry_edges.update(state);
+    dry_edges.update(state);
     const StepCoefficients step = step_coefficients(state.dt, share);
     linear_solver.begin_step();
     if (const std::string problem = find_start_velocity(state, step, projects);

@@ -27,21 +27,21 @@ namespace seiche
     /// References must outlive the object.
     explicit DryEdges(Occupancy<dim> &occupancy);
 
-    /// Choose for the occupied cells and state.velocity_n of this step.
-    /// Collective.
+    /// After a change of the occupied cells: find the faces with fluid at them.
+    void
+    reinit();
+
+    /// Choose for state.velocity_n. Collective.
     void
     update(const GridState<dim> &state);
 
   private:
-    /// Faces of an own node's obstacles: bits of components.
-    struct EdgeNode
+    /// Own node on a wall, with a vertex of an occupied cell at it.
+    struct WallNode
     {
-      unsigned int wet       = 0; ///< with fluid in a cell at them
-      bool         has_fluid = false;
+      unsigned int node;
+      unsigned int wet; ///< bit c: an occupied cell has a face normal to c here
     };
-
-    void
-    find_fluid();
 
     /// Components that slip obstacles alone fix at an own node, bit by bit.
     unsigned int
@@ -55,7 +55,7 @@ namespace seiche
 
     Occupancy<dim>       &occupancy;
     const bool            exist; ///< obstacles
-    std::vector<EdgeNode> nodes; ///< by own node
+    std::vector<WallNode> nodes;
   };
 } // namespace seiche
 

@@ -36,7 +36,8 @@ namespace seiche
                RunReport              &report,
                TimerTree              &timer);
 
-    /// After a change of the fill: pattern of the matrix. Collective.
+    /// After a change of the fill: pattern of the matrix, faces of obstacles
+    /// that have fluid at them. Collective.
     void
     reinit();
 
