@@ -18,12 +18,15 @@ namespace seiche
     template <int dim>
     void
     add_wall(std::vector<typename Occupancy<dim>::NodeWall> &walls,
-             const typename Occupancy<dim>::NodeWall        &wall)
+             const typename Occupancy<dim>::NodeWall        &wall,
+             const CellLocator<dim>                         &locator)
     {
       for (auto &known : walls)
         if (known.wall == wall.wall && known.component == wall.component)
           {
             known.sides |= wall.sides;
+            if (locator.measure(wall.cell) < locator.measure(known.cell))
+              known.cell = wall.cell;
             return;
           }
       walls.push_back(wall);
@@ -145,7 +148,8 @@ namespace seiche
                       full_cell_nodes[cell * n_nodes + a];
                     fixed_full[node] |= 1u << c;
                     add_wall<dim>(walls_full[node],
-                                  {wall, c, 1u << (face % 2)});
+                                  {wall, c, 1u << (face % 2), cell},
+                                  locator);
                   }
         }
     // an owner sees all cells around its nodes, a ghost's copy may not
@@ -338,18 +342,6 @@ namespace seiche
     for (unsigned int i = 0; i < full_partitioner->locally_owned_size(); ++i)
       used[i] = mark.local_element(i) > 0.;
     return used;
-  }
-
-  template <int dim>
-  bool
-  Occupancy<dim>::fixed_by(const unsigned int       node,
-                           const types::boundary_id wall,
-                           const unsigned int       component) const
-  {
-    const auto &list = walls_full[full_of_compact[node]];
-    return std::any_of(list.begin(), list.end(), [&](const NodeWall &entry) {
-      return entry.wall == wall && entry.component == component;
-    });
   }
 
   template class Occupancy<2>;

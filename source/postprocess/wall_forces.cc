@@ -5,6 +5,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <map>
+
 namespace seiche
 {
   using namespace dealii;
@@ -171,16 +173,25 @@ namespace seiche
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         {
-          if (!((occupancy.wall_components(node) >> c) & 1u))
+          // walls that fix the component, or those whose friction acts along it
+          const bool fixed = (occupancy.wall_components(node) >> c) & 1u;
+          if (!fixed && !grid.parameters.any_friction())
             continue;
-          std::vector<unsigned int> fixing;
-          for (unsigned int id = 0; id < names.size(); ++id)
-            if (occupancy.fixed_by(node, id, c))
-              fixing.push_back(id);
-          for (const unsigned int id : fixing)
+          std::map<unsigned int, double> weights;
+          double                         sum = 0.;
+          for (const auto &entry : occupancy.walls_at(node))
+            if (!fixed || entry.component == c)
+              {
+                const double weight =
+                  fixed ? 1. : grid.parameters.friction(entry.wall);
+                weights[entry.wall] += weight;
+                sum += weight;
+              }
+          for (const auto &[id, weight] : weights)
             for (const unsigned int f : forces_of_wall[id])
-              if (counts(forces[f], id, occupancy.node_position(node), c))
-                shares.push_back({f, node, c, 1. / fixing.size()});
+              if (weight > 0. &&
+                  counts(forces[f], id, occupancy.node_position(node), c))
+                shares.push_back({f, node, c, weight / sum});
         }
     generation = occupancy.generation();
   }

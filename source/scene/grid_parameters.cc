@@ -50,6 +50,14 @@ namespace seiche
 
 
 
+    const char *const friction_text =
+      "Skin friction coefficient c_f of a slip or unilateral wall: drag c_f/2 "
+      "rho |v| v per area, of boundary layers thinner than a cell; 0: none. "
+      "Smooth walls 0.003 to 0.01; Darcy's f/4; 2 g n^2/depth^(1/3) of "
+      "Manning's n. [-]";
+
+
+
     std::string
     per_direction(const std::string &entry, const unsigned int direction)
     {
@@ -146,6 +154,11 @@ namespace seiche
                         "direction, separated by \";\"; empty: at rest. "
                         "[m/s]",
                         anything);
+    for (unsigned int id = 0; id < 2 * dim; ++id)
+      prm.add_parameter(side_entry<dim>(id) + " friction",
+                        walls_friction[id],
+                        friction_text,
+                        dealii::Patterns::Double(0.));
     prm.leave_subsection();
 
     for (ObstacleText &obstacle : obstacles_text)
@@ -176,6 +189,10 @@ namespace seiche
                           "expression of x, y[, z], t per direction, "
                           "separated by \";\"; empty: at rest. [m/s]",
                           anything);
+        prm.add_parameter("Friction",
+                          obstacle.friction,
+                          friction_text,
+                          dealii::Patterns::Double(0.));
         prm.leave_subsection();
       }
     refinement.add_parameters(prm);
@@ -213,6 +230,7 @@ namespace seiche
         for (Obstacle &obstacle : obstacles)
           let_go(obstacle.condition);
       }
+    check_friction(input);
     check_size(input);
     refinement.check(input, *this);
   }
@@ -274,6 +292,7 @@ namespace seiche
     Obstacle           &here = obstacles[index];
     here.name                = text.name;
     here.condition           = wall_condition_from_string(text.condition);
+    here.friction            = text.friction;
     here.lower_corner =
       entry_values::point<dim>(input, path + "Lower corner", text.lower);
     here.upper_corner =
@@ -306,6 +325,28 @@ namespace seiche
                       path + "Lower corner",
                       "an obstacle cannot have the name of a side of the "
                       "domain; rename it.");
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  GridParameters<dim>::check_friction(const InputFile &input) const
+  {
+    for (unsigned int id = 0; id < 2 * dim + obstacles.size(); ++id)
+      {
+        const bool is_side = id < 2 * dim;
+        const auto condition =
+          is_side ? walls[id] : obstacles[id - 2 * dim].condition;
+        input.require(friction(id) == 0. || condition == WallCondition::slip ||
+                        condition == WallCondition::unilateral,
+                      is_side ? "Walls/" + side_entry<dim>(id) + " friction" :
+                                "Obstacle " + obstacles[id - 2 * dim].name +
+                                  "/Friction",
+                      "only walls along which the fluid slips have friction: "
+                      "set the condition to slip or unilateral, or this entry "
+                      "to 0.");
       }
   }
 
@@ -360,6 +401,27 @@ namespace seiche
                        [](const Obstacle &obstacle) {
                          return obstacle.condition == WallCondition::unilateral;
                        });
+  }
+
+
+
+  template <int dim>
+  double
+  GridParameters<dim>::friction(const unsigned int id) const
+  {
+    return id < 2 * dim ? walls_friction[id] : obstacles[id - 2 * dim].friction;
+  }
+
+
+
+  template <int dim>
+  bool
+  GridParameters<dim>::any_friction() const
+  {
+    for (unsigned int id = 0; id < 2 * dim + obstacles.size(); ++id)
+      if (friction(id) > 0.)
+        return true;
+    return false;
   }
 
 

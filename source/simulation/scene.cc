@@ -85,12 +85,13 @@ namespace seiche
                         Transfer<dim>::columns(transfer).count(
                           PointColumn::velocity_gradient) > 0,
                         per_cell);
-    input_file.require(!(grid.any_unilateral() || wall_motion.any()) ||
-                         time_scheme.scheme == "generalized midpoint",
-                       "Time/Scheme",
-                       "unilateral walls, and walls with a displacement, need "
-                       "generalized midpoint: the other schemes carry an "
-                       "acceleration that jumps where the fluid meets a wall");
+    input_file.require(
+      !(grid.any_unilateral() || grid.any_friction() || wall_motion.any()) ||
+        time_scheme.scheme == "generalized midpoint",
+      "Time/Scheme",
+      "unilateral walls, walls with friction and walls with a "
+      "displacement need generalized midpoint: the other schemes carry an "
+      "acceleration that jumps where the fluid meets a wall");
     if (bodies.empty())
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "

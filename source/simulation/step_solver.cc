@@ -46,6 +46,7 @@ namespace seiche
     , wall_velocity(scene.grid, scene.input)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
     , dry_edges(occupancy)
+    , wall_friction(occupancy)
     , wall_contact(wall_conditions,
                    occupancy,
                    body_force,
@@ -131,6 +132,7 @@ namespace seiche
         return result.failure;
     }
     time_scheme.finish(state);
+    wall_friction.add_reactions(state);
     return "";
   }
 
@@ -160,6 +162,7 @@ namespace seiche
   {
     wall_contact.begin(state);
     wall_conditions.set_start_velocity(state);
+    wall_friction.apply(state);
     if (!has_pressure || !projects)
       return "";
     const TimerTree::Scope scope(timer, "velocity projection");
@@ -179,6 +182,7 @@ namespace seiche
         if (!wall_contact.correct_start(state))
           return "";
         wall_conditions.set_start_velocity(state);
+        wall_friction.apply(state);
       }
   }
 

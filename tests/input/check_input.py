@@ -185,6 +185,14 @@ VALUES = [
          **added("subsection Walls\n  set Left = noslip\nend\n"),
          line=LAST + 2,
          expect=['"Left" in "Walls" = noslip', '"no-slip"', '"open"']),
+    Case("friction of a wall that sticks",
+         **added("subsection Walls\n  set Left = no-slip\n"
+                 "  set Left friction = 0.01\nend\n"),
+         line=LAST + 3, expect=['"Left friction" in "Walls"', "slip"]),
+    Case("friction with newmark",
+         **added("subsection Walls\n  set Left friction = 0.01\nend\n"
+                 "subsection Time\n  set Scheme = newmark\nend\n"),
+         line=LAST + 5, expect=['"Scheme" in "Time"', "friction"]),
     Case("wall that jumps at the start",
          **added("subsection Walls\n  set Left displacement = 0.1*cos(t)\nend\n"),
          line=LAST + 2, expect=['"Left displacement" in "Walls"', "t = 0"]),

@@ -223,20 +223,14 @@ namespace seiche
               f(dim * node + c);
     }
 
-    /// True if the wall with this boundary id fixes component c at the node.
-    bool
-    fixed_by(const unsigned int               node,
-             const dealii::types::boundary_id wall,
-             const unsigned int               component) const;
-
     /// A wall that fixes a component of a node, with the sides of the node on
     /// which cells have faces on it: bit 0 the upper, bit 1 the lower one, in
     /// the direction normal to the face (that of the component, unless the
-    /// wall is a no-slip one).
+    /// wall is a no-slip one); a smallest cell among them, own or ghost.
     struct NodeWall
     {
       dealii::types::boundary_id wall;
-      unsigned int               component, sides;
+      unsigned int               component, sides, cell;
     };
 
     /// The walls that fix components of an own node.

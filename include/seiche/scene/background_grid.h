@@ -44,6 +44,7 @@ namespace seiche
       dealii::Point<dim> lower_corner; // [m]
       dealii::Point<dim> upper_corner; // [m]
       WallCondition      condition = WallCondition::slip;
+      double             friction  = 0.; // skin friction coefficient [-]
     };
 
     dealii::Point<dim>                         lower_corner;   // [m]
@@ -68,6 +69,14 @@ namespace seiche
     bool
     any_unilateral() const;
 
+    /// Skin friction coefficient of a wall [-], by boundary id.
+    double
+    friction(const unsigned int id) const;
+
+    /// True if some wall has one.
+    bool
+    any_friction() const;
+
     /// Text and path of the entry with a wall's velocity, by boundary id.
     std::string
     wall_velocity_text(const unsigned int id) const;
@@ -90,6 +99,8 @@ namespace seiche
     void
     check_obstacle(const InputFile &input, const unsigned int index);
     void
+    check_friction(const InputFile &input) const;
+    void
     check_size(const InputFile &input) const;
 
     // strings as parsed; one per direction or instance
@@ -98,11 +109,13 @@ namespace seiche
     std::array<std::string, 2 * dim> walls_text;
     std::array<std::string, 2 * dim> velocities_text;
     std::array<std::string, 2 * dim> displacements_text;
+    std::array<double, 2 * dim>      walls_friction{};
     std::string                      contact = "sticking";
     std::string                      lower_text, upper_text;
     struct ObstacleText
     {
       std::string name, lower, upper, condition = "slip", velocity;
+      double      friction = 0.;
     };
     std::vector<ObstacleText> obstacles_text;
   };

@@ -4,6 +4,7 @@
 
 #include <seiche/grid/dry_edges.h>
 #include <seiche/grid/wall_contact.h>
+#include <seiche/grid/wall_friction.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene.h>
 #include <seiche/solve/velocity_projection.h>
@@ -108,6 +109,7 @@ namespace seiche
     const WallVelocity<dim>                wall_velocity;
     const WallConditions<dim>              wall_conditions;
     DryEdges<dim>                          dry_edges;
+    WallFriction<dim>                      wall_friction;
     WallContact<dim>                       wall_contact;
     BlockMatrix<dim>                       matrix;
     Assembler<dim>                         assembler;
