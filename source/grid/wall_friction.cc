@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/wall_friction.h>
 
-#include <cmath>
+#include <bitset>
 
 namespace seiche
 {
@@ -15,6 +15,13 @@ namespace seiche
     {
       return degree == 1 ? 1. / 2. : 1. / 6.;
     }
+
+    /// The same of the hat with which GridState::mass is summed.
+    double
+    hat_width(const unsigned int degree)
+    {
+      return 0.5 / degree;
+    }
   } // namespace
 
   template <int dim>
@@ -25,7 +32,7 @@ namespace seiche
 
   template <int dim>
   double
-  WallFriction<dim>::drag(const unsigned int node) const
+  WallFriction<dim>::rate(const unsigned int node) const
   {
     const auto &locator = occupancy.locator;
     double      k       = 0.;
@@ -41,13 +48,14 @@ namespace seiche
   void
   WallFriction<dim>::apply(GridState<dim> &state)
   {
-    changes.clear();
+    drags.clear();
     if (!exists)
       return;
+    const unsigned int degree = occupancy.fe.degree;
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
       {
         const unsigned int fixed = occupancy.fixed_components(node);
-        const double       k     = fixed != 0 ? drag(node) : 0.;
+        const double       k     = fixed != 0 ? rate(node) : 0.;
         if (k == 0.)
           continue;
         Tensor<1, dim> v;
@@ -58,7 +66,10 @@ namespace seiche
         v *= -way / (1. + way);
         for (unsigned int c = 0; c < dim; ++c)
           state.velocity_start.local_element(dim * node + c) += v[c];
-        changes.emplace_back(node, v);
+        const double mass = state.mass.local_element(node) *
+                            std::pow(width_at_wall(degree) / hat_width(degree),
+                                     std::bitset<dim>(fixed).count());
+        drags.emplace_back(node, mass / state.dt * v);
       }
     state.velocity_start.update_ghost_values();
   }
@@ -67,10 +78,9 @@ namespace seiche
   void
   WallFriction<dim>::add_reactions(GridState<dim> &state) const
   {
-    for (const auto &[node, change] : changes)
+    for (const auto &[node, drag] : drags)
       for (unsigned int c = 0; c < dim; ++c)
-        state.reaction.local_element(dim * node + c) +=
-          state.mass.local_element(node) / state.dt * change[c];
+        state.reaction.local_element(dim * node + c) += drag[c];
   }
 
   template class WallFriction<2>;

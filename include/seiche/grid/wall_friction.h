@@ -37,12 +37,12 @@ namespace seiche
   private:
     /// k [1/m] of the walls that hold an own node.
     double
-    drag(const unsigned int node) const;
+    rate(const unsigned int node) const;
 
     const Occupancy<dim> &occupancy;
     const bool            exists;
-    /// Own nodes and what the last apply() changed of their v_0 [m/s].
-    std::vector<std::pair<unsigned int, dealii::Tensor<1, dim>>> changes;
+    /// Own nodes and the force on them in the last apply() [N].
+    std::vector<std::pair<unsigned int, dealii::Tensor<1, dim>>> drags;
   };
 } // namespace seiche
 
