@@ -2,6 +2,7 @@
 #include <seiche/grid/wall_friction.h>
 
 #include <bitset>
+#include <cmath>
 
 namespace seiche
 {

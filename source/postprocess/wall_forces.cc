@@ -5,8 +5,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <map>
-
 namespace seiche
 {
   using namespace dealii;
@@ -177,21 +175,21 @@ namespace seiche
           const bool fixed = (occupancy.wall_components(node) >> c) & 1u;
           if (!fixed && !grid.parameters.any_friction())
             continue;
-          std::map<unsigned int, double> weights;
-          double                         sum = 0.;
+          const auto weight = [&](const auto &entry) {
+            return !fixed               ? grid.parameters.friction(entry.wall) :
+                   entry.component == c ? 1. :
+                                          0.;
+          };
+          double sum = 0.;
           for (const auto &entry : occupancy.walls_at(node))
-            if (!fixed || entry.component == c)
-              {
-                const double weight =
-                  fixed ? 1. : grid.parameters.friction(entry.wall);
-                weights[entry.wall] += weight;
-                sum += weight;
-              }
-          for (const auto &[id, weight] : weights)
-            for (const unsigned int f : forces_of_wall[id])
-              if (weight > 0. &&
-                  counts(forces[f], id, occupancy.node_position(node), c))
-                shares.push_back({f, node, c, weight / sum});
+            sum += weight(entry);
+          for (const auto &entry : occupancy.walls_at(node))
+            for (const unsigned int f : forces_of_wall[entry.wall])
+              if (weight(entry) > 0. && counts(forces[f],
+                                               entry.wall,
+                                               occupancy.node_position(node),
+                                               c))
+                shares.push_back({f, node, c, weight(entry) / sum});
         }
     generation = occupancy.generation();
   }

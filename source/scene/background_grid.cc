@@ -324,7 +324,7 @@ namespace seiche
   unsigned int
   BackgroundGrid<dim>::n_walls() const
   {
-    return 2 * dim + parameters.obstacles.size();
+    return parameters.n_walls();
   }
 
 
@@ -334,8 +334,7 @@ namespace seiche
   BackgroundGrid<dim>::wall_condition(const dealii::types::boundary_id id) const
   {
     AssertIndexRange(id, n_walls());
-    return id < 2 * dim ? parameters.walls[id] :
-                          parameters.obstacles[id - 2 * dim].condition;
+    return parameters.wall_condition(id);
   }
 
 

@@ -3,13 +3,11 @@
 #include <seiche/scene/background_grid.h>
 #include <seiche/scene/entry_values.h>
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace seiche
@@ -20,43 +18,6 @@ namespace seiche
     /// in 64 bits, those along one in 32.
     template <int dim>
     constexpr double largest_line = dim == 2 ? 2147483647. : 2097151.;
-
-    /// Entry of a side in "Walls": its name with a capital letter.
-    template <int dim>
-    std::string
-    side_entry(const unsigned int id)
-    {
-      std::string name = side_name<dim>(id);
-      name[0]          = std::toupper(name[0]);
-      return name;
-    }
-
-
-
-    WallCondition
-    wall_condition_from_string(const std::string &text)
-    {
-      if (text == "slip")
-        return WallCondition::slip;
-      if (text == "unilateral")
-        return WallCondition::unilateral;
-      if (text == "no-slip")
-        return WallCondition::no_slip;
-      if (text == "open")
-        return WallCondition::open;
-      AssertThrow(false, dealii::ExcMessage("Unknown wall: " + text));
-      return WallCondition::slip;
-    }
-
-
-
-    const char *const friction_text =
-      "Skin friction coefficient c_f of a slip or unilateral wall: drag c_f/2 "
-      "rho |v| v per area, of boundary layers thinner than a cell; 0: none. "
-      "Smooth walls 0.003 to 0.01; Darcy's f/4; 2 g n^2/depth^(1/3) of "
-      "Manning's n. [-]";
-
-
 
     std::string
     per_direction(const std::string &entry, const unsigned int direction)
@@ -123,78 +84,7 @@ namespace seiche
       }
     prm.leave_subsection();
 
-    prm.enter_subsection("Walls");
-    for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry<dim>(id),
-                        walls_text[id],
-                        "slip: no flow to or from the wall; unilateral: the "
-                        "same, but the fluid may leave it; no-slip: the fluid "
-                        "sticks to it; open: fluid may leave the domain.",
-                        dealii::Patterns::Selection(
-                          "slip|unilateral|no-slip|open"));
-    for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry<dim>(id) + " displacement",
-                        displacements_text[id],
-                        "Motion of the wall along its normal, as of a piston: "
-                        "an expression of t, positive along the coordinate, 0 "
-                        "at t = 0. The grid is stretched up to the next "
-                        "obstacle or the opposite side; empty: at rest. [m]",
-                        anything);
-    prm.add_parameter("Contact",
-                      contact,
-                      "Of all slip walls and obstacles. sticking: the fluid "
-                      "does not leave them; unilateral: as if each had the "
-                      "condition unilateral.",
-                      dealii::Patterns::Selection("sticking|unilateral"));
-    for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry<dim>(id) + " velocity",
-                        velocities_text[id],
-                        "Velocity of a no-slip wall along itself, as of a lid "
-                        "or a belt: one expression of x, y[, z], t per "
-                        "direction, separated by \";\"; empty: at rest. "
-                        "[m/s]",
-                        anything);
-    for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry<dim>(id) + " friction",
-                        walls_friction[id],
-                        friction_text,
-                        dealii::Patterns::Double(0.));
-    prm.leave_subsection();
-
-    for (ObstacleText &obstacle : obstacles_text)
-      {
-        prm.enter_subsection("Obstacle " + obstacle.name);
-        prm.add_parameter("Lower corner",
-                          obstacle.lower,
-                          "Corner of the box that is cut out of the grid; "
-                          "its faces become grid lines. [m]",
-                          anything,
-                          /*has_to_be_set=*/true);
-        prm.add_parameter("Upper corner",
-                          obstacle.upper,
-                          "Opposite corner of the box. [m]",
-                          anything,
-                          /*has_to_be_set=*/true);
-        prm.add_parameter("Condition",
-                          obstacle.condition,
-                          "slip: no flow to or from the faces; unilateral: "
-                          "the same, but the fluid may leave them; no-slip: "
-                          "the fluid sticks to them.",
-                          dealii::Patterns::Selection(
-                            "slip|unilateral|no-slip"));
-        prm.add_parameter("Velocity",
-                          obstacle.velocity,
-                          "Velocity of the faces of a no-slip obstacle along "
-                          "themselves, as of a turning cylinder: one "
-                          "expression of x, y[, z], t per direction, "
-                          "separated by \";\"; empty: at rest. [m/s]",
-                          anything);
-        prm.add_parameter("Friction",
-                          obstacle.friction,
-                          friction_text,
-                          dealii::Patterns::Double(0.));
-        prm.leave_subsection();
-      }
+    add_wall_parameters(prm);
     refinement.add_parameters(prm);
   }
 
@@ -215,22 +105,7 @@ namespace seiche
                     "direction.");
     for (unsigned int d = 0; d < dim; ++d)
       check_lines(input, d);
-    for (unsigned int id = 0; id < 2 * dim; ++id)
-      walls[id] = wall_condition_from_string(walls_text[id]);
-    obstacles.resize(obstacles_text.size());
-    for (unsigned int i = 0; i < obstacles.size(); ++i)
-      check_obstacle(input, i);
-    if (contact == "unilateral")
-      {
-        const auto let_go = [](WallCondition &condition) {
-          if (condition == WallCondition::slip)
-            condition = WallCondition::unilateral;
-        };
-        std::for_each(walls.begin(), walls.end(), let_go);
-        for (Obstacle &obstacle : obstacles)
-          let_go(obstacle.condition);
-      }
-    check_friction(input);
+    check_walls(input);
     check_size(input);
     refinement.check(input, *this);
   }
@@ -284,76 +159,6 @@ namespace seiche
 
   template <int dim>
   void
-  GridParameters<dim>::check_obstacle(const InputFile   &input,
-                                      const unsigned int index)
-  {
-    const ObstacleText &text = obstacles_text[index];
-    const std::string   path = "Obstacle " + text.name + "/";
-    Obstacle           &here = obstacles[index];
-    here.name                = text.name;
-    here.condition           = wall_condition_from_string(text.condition);
-    here.friction            = text.friction;
-    here.lower_corner =
-      entry_values::point<dim>(input, path + "Lower corner", text.lower);
-    here.upper_corner =
-      entry_values::point<dim>(input, path + "Upper corner", text.upper);
-
-    bool fills_domain = true;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const double tolerance = 1e-9 * (upper_corner[d] - lower_corner[d]);
-        input.require(here.lower_corner[d] >= lower_corner[d] - tolerance,
-                      path + "Lower corner",
-                      "the obstacle reaches out of the domain.");
-        input.require(here.upper_corner[d] <= upper_corner[d] + tolerance,
-                      path + "Upper corner",
-                      "the obstacle reaches out of the domain.");
-        input.require(here.lower_corner[d] + tolerance < here.upper_corner[d],
-                      path + "Upper corner",
-                      "must be greater than \"Lower corner\" in every "
-                      "direction.");
-        fills_domain = fills_domain &&
-                       here.lower_corner[d] <= lower_corner[d] + tolerance &&
-                       here.upper_corner[d] >= upper_corner[d] - tolerance;
-      }
-    input.require(!fills_domain,
-                  path + "Upper corner",
-                  "the obstacle fills the whole domain.");
-    for (unsigned int id = 0; id < 2 * dim; ++id)
-      {
-        input.require(text.name != side_name<dim>(id),
-                      path + "Lower corner",
-                      "an obstacle cannot have the name of a side of the "
-                      "domain; rename it.");
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  GridParameters<dim>::check_friction(const InputFile &input) const
-  {
-    for (unsigned int id = 0; id < 2 * dim + obstacles.size(); ++id)
-      {
-        const bool is_side = id < 2 * dim;
-        const auto condition =
-          is_side ? walls[id] : obstacles[id - 2 * dim].condition;
-        input.require(friction(id) == 0. || condition == WallCondition::slip ||
-                        condition == WallCondition::unilateral,
-                      is_side ? "Walls/" + side_entry<dim>(id) + " friction" :
-                                "Obstacle " + obstacles[id - 2 * dim].name +
-                                  "/Friction",
-                      "only walls along which the fluid slips have friction: "
-                      "set the condition to slip or unilateral, or this entry "
-                      "to 0.");
-      }
-  }
-
-
-
-  template <int dim>
-  void
   GridParameters<dim>::check_size(const InputFile &input) const
   {
     const char *entry = cells[0].empty() ? "Grid/Cell size" : "Grid/Cells x";
@@ -386,81 +191,6 @@ namespace seiche
                               "most 2^31 - 1 are possible. Choose larger "
                               "cells.",
                               n_rows));
-  }
-
-
-
-  template <int dim>
-  bool
-  GridParameters<dim>::any_unilateral() const
-  {
-    return std::count(walls.begin(), walls.end(), WallCondition::unilateral) >
-             0 ||
-           std::any_of(obstacles.begin(),
-                       obstacles.end(),
-                       [](const Obstacle &obstacle) {
-                         return obstacle.condition == WallCondition::unilateral;
-                       });
-  }
-
-
-
-  template <int dim>
-  double
-  GridParameters<dim>::friction(const unsigned int id) const
-  {
-    return id < 2 * dim ? walls_friction[id] : obstacles[id - 2 * dim].friction;
-  }
-
-
-
-  template <int dim>
-  bool
-  GridParameters<dim>::any_friction() const
-  {
-    for (unsigned int id = 0; id < 2 * dim + obstacles.size(); ++id)
-      if (friction(id) > 0.)
-        return true;
-    return false;
-  }
-
-
-
-  template <int dim>
-  std::string
-  GridParameters<dim>::wall_velocity_text(const unsigned int id) const
-  {
-    return id < 2 * dim ? velocities_text[id] :
-                          obstacles_text[id - 2 * dim].velocity;
-  }
-
-
-
-  template <int dim>
-  std::string
-  GridParameters<dim>::wall_velocity_path(const unsigned int id) const
-  {
-    return id < 2 * dim ?
-             "Walls/" + side_entry<dim>(id) + " velocity" :
-             "Obstacle " + obstacles_text[id - 2 * dim].name + "/Velocity";
-  }
-
-
-
-  template <int dim>
-  const std::string &
-  GridParameters<dim>::wall_displacement_text(const unsigned int side) const
-  {
-    return displacements_text[side];
-  }
-
-
-
-  template <int dim>
-  std::string
-  GridParameters<dim>::wall_displacement_path(const unsigned int side) const
-  {
-    return "Walls/" + side_entry<dim>(side) + " displacement";
   }
 
 

@@ -8,18 +8,15 @@ namespace seiche
   WallVelocity<dim>::WallVelocity(const GridParameters<dim> &parameters,
                                   const InputFile           &input)
   {
-    expressions.resize(2 * dim + parameters.obstacles.size());
+    expressions.resize(parameters.n_walls());
     for (unsigned int wall = 0; wall < expressions.size(); ++wall)
       {
         const std::string text = parameters.wall_velocity_text(wall);
         if (text.empty())
           continue;
-        const std::string path      = parameters.wall_velocity_path(wall);
-        const bool        is_side   = wall < 2 * dim;
-        const auto        condition = is_side ?
-                                        parameters.walls[wall] :
-                                        parameters.obstacles[wall - 2 * dim].condition;
-        input.require(condition == WallCondition::no_slip,
+        const std::string path    = parameters.wall_velocity_path(wall);
+        const bool        is_side = wall < 2 * dim;
+        input.require(parameters.wall_condition(wall) == WallCondition::no_slip,
                       path,
                       "only a wall with the condition no-slip moves the fluid; "
                       "set it, or leave this entry empty.");

@@ -161,14 +161,14 @@ namespace seiche
                                        const bool              projects)
   {
     wall_contact.begin(state);
-    wall_conditions.set_start_velocity(state);
-    wall_friction.apply(state);
-    if (!has_pressure || !projects)
-      return "";
-    const TimerTree::Scope scope(timer, "velocity projection");
     while (true)
       {
-        const LinearResult result =
+        wall_conditions.set_start_velocity(state);
+        wall_friction.apply(state);
+        if (!has_pressure || !projects)
+          return "";
+        const TimerTree::Scope scope(timer, "velocity projection");
+        const LinearResult     result =
           velocity_projection.apply(state, coefficients, wall_contact.any());
         last.krylov_iterations += result.iterations;
         if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
@@ -181,8 +181,6 @@ namespace seiche
                                   result.reduction));
         if (!wall_contact.correct_start(state))
           return "";
-        wall_conditions.set_start_velocity(state);
-        wall_friction.apply(state);
       }
   }
 

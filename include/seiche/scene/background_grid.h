@@ -65,15 +65,19 @@ namespace seiche
     void
     check(const InputFile &input);
 
-    /// True if the fluid may leave some wall.
-    bool
-    any_unilateral() const;
+    /// Number of boundary ids: 2 dim + number of obstacles.
+    unsigned int
+    n_walls() const;
 
-    /// Skin friction coefficient of a wall [-], by boundary id.
+    /// By boundary id; friction: skin friction coefficient [-].
+    WallCondition
+    wall_condition(const unsigned int id) const;
     double
     friction(const unsigned int id) const;
 
-    /// True if some wall has one.
+    /// True if the fluid may leave some wall; if some wall has friction.
+    bool
+    any_unilateral() const;
     bool
     any_friction() const;
 
@@ -94,6 +98,10 @@ namespace seiche
     domain() const;
 
   private:
+    void
+    add_wall_parameters(dealii::ParameterHandler &prm);
+    void
+    check_walls(const InputFile &input);
     void
     check_lines(const InputFile &input, const unsigned int direction);
     void
