@@ -11,7 +11,7 @@ namespace seiche
     template <int dim, int degree>
     struct PointState
     {
-      double         volume_t, J_1;
+      double         volume_t, J, J_1;
       Tensor<2, dim> velocity_gradient, stress;
 
       PointState(const CellData<dim, degree>        &cell,
@@ -23,6 +23,7 @@ namespace seiche
         const double J_n = cell.quadrature.volume_ratio[q];
         volume_t         = point.det_t * J_n * cell.quadrature.volume[q];
         J_1              = point.det_1 * J_n;
+        J = J_1 - (1. - cell.coefficients.elastic_time) * (J_1 - J_n);
         if (cell.coefficients.viscous && !material.law.is_inviscid())
           {
             velocity_gradient =
@@ -30,7 +31,7 @@ namespace seiche
             stress = material.law.stress(velocity_gradient);
           }
         const double pressure =
-          -material.bulk_modulus * material.volume_law.strain(J_1);
+          -material.bulk_modulus * material.volume_law.strain(J);
         for (unsigned int i = 0; i < dim; ++i)
           stress[i][i] -= pressure;
       }
@@ -111,8 +112,8 @@ namespace seiche
           cell.quadrature.mass[q],
           state.volume_t,
           viscosity,
-          this->material.bulk_modulus *
-            this->material.volume_law.slope(state.J_1),
+          this->material.bulk_modulus * cell.coefficients.elastic_time *
+            state.J_1 / state.J * this->material.volume_law.slope(state.J),
           point.gradient_1,
           state.velocity_gradient,
           state.stress);

@@ -114,7 +114,8 @@ namespace seiche
     /**
      * Generalized midpoint with theta = 1/(1 + rho_inf) (doc/theory.md):
      * a = (v_1 - v_0)/dt, u = dt (theta v_1 + (1 - theta) v_0), forces in the
-     * theta configuration, constraint at the end of the step.
+     * theta configuration, constraint at the end of the step, the strain of a
+     * compressible fluid there or in the theta configuration.
      */
     template <int dim>
     class GeneralizedMidpoint : public TimeScheme<dim>
@@ -123,9 +124,11 @@ namespace seiche
       using Vector = typename TimeScheme<dim>::Vector;
 
       GeneralizedMidpoint(const double rho_infinity,
-                          const bool   second_order_pressure)
+                          const bool   second_order_pressure,
+                          const bool   elastic_at_end)
         : theta(1. / (1. + rho_infinity))
         , jerk_factor(second_order_pressure ? 1. / 12. : 0.)
+        , elastic_time(elastic_at_end ? 1. : theta)
       {}
 
       StepCoefficients
@@ -139,6 +142,7 @@ namespace seiche
 
         c.start_divergence = 0.5 - theta;
         c.jerk_constraint  = jerk_factor * dt * dt * dt;
+        c.elastic_time     = elastic_time;
         return c;
       }
 
@@ -186,7 +190,7 @@ namespace seiche
       }
 
     private:
-      const double theta, jerk_factor;
+      const double theta, jerk_factor, elastic_time;
     };
 
     /// One row of the table of schemes.
@@ -203,7 +207,8 @@ namespace seiche
         [](const TimeSchemeParameters &p) -> std::unique_ptr<TimeScheme<dim>> {
           return std::make_unique<GeneralizedMidpoint<dim>>(
             p.rho_infinity,
-            p.pressure_order == "second" && p.rho_infinity == 1.);
+            p.pressure_order == "second" && p.rho_infinity == 1.,
+            p.elastic_pressure == "end");
         }},
        {"bossak",
         [](const TimeSchemeParameters &p) -> std::unique_ptr<TimeScheme<dim>> {
@@ -253,6 +258,14 @@ namespace seiche
                       "velocity at the end of the step without divergence; "
                       "first: it keeps the volume of the step's own path",
                       Patterns::Selection("first|second"));
+    prm.add_parameter("Elastic pressure",
+                      elastic_pressure,
+                      "When the volume ratio in p = -kappa (J - 1) is taken, "
+                      "finite Bulk modulus only. end: at the end of the step, "
+                      "first order, damps sound; middle: between start and end "
+                      "as other forces, second order for Rho infinity = 1, for "
+                      "sound that the steps resolve, c dt/h about 1 and less",
+                      Patterns::Selection("end|middle"));
     prm.leave_subsection();
   }
 

@@ -146,7 +146,7 @@ namespace seiche
   void
   ErrorNorm<dim>::sample_nodes(const StepView<dim> &view)
   {
-    const double theta = of_pressure ? view.theta : 1.;
+    const double theta = of_pressure ? view.pressure_theta : 1.;
     const auto  &field =
       of_pressure ? pressure->field(view) : view.state.velocity_np1;
     for (unsigned int node = 0; node < view.occupancy.n_own_nodes(); ++node)
@@ -171,7 +171,7 @@ namespace seiche
   void
   ErrorNorm<dim>::sample_gauss_points(const StepView<dim> &view)
   {
-    const double        theta = of_pressure ? view.theta : 1.;
+    const double        theta = of_pressure ? view.pressure_theta : 1.;
     const QGauss<dim>   quadrature(view.occupancy.fe.degree + 1);
     const auto         *p = of_pressure ? &pressure->field(view) : nullptr;
     GridEvaluation<dim> place(view);
@@ -210,8 +210,8 @@ namespace seiche
           {
             // back from the end of the step to the time of the pressure
             place.find_in_cell(view.points.cells()[i], x, /*theta=*/1.);
-            x -=
-              (1. - view.theta) * place.vector_value(view.state.displacement());
+            x -= (1. - view.pressure_theta) *
+                 place.vector_value(view.state.displacement());
             computed[0] = p[i];
           }
         else

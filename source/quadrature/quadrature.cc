@@ -4,6 +4,10 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace seiche
 {
   using namespace dealii;
@@ -74,11 +78,13 @@ namespace seiche
           material_points.append(cell, 1. - weight, quadrature);
         if (weight > 0.)
           {
-            const double measure = points.locator.measure(cell);
-            const double ratio   = incompressible ? 1. : mean_ratio(cell);
+            const double      measure = points.locator.measure(cell);
+            const LinearRatio J =
+              incompressible ? LinearRatio() : fit_ratio(cell);
             for (unsigned int q = 0; q < gauss.size(); ++q)
               {
                 // the cell is the volume at t_n: V0 = V_n/J_n
+                const double ratio = J.value(gauss.point(q));
                 const double volume =
                   weight * measure * gauss.weight(q) / ratio;
                 quadrature.push_back(gauss.point(q),
@@ -90,20 +96,61 @@ namespace seiche
       }
 
     private:
-      double
-      mean_ratio(const unsigned int cell) const
+      /// J_n in a cell: mean + slope.(x - center) within what points have.
+      struct LinearRatio
+      {
+        Point<dim>     center; // in units of the cell
+        Tensor<1, dim> slope;
+        double         mean = 1., least = 1., largest = 1.;
+
+        double
+        value(const Point<dim> &unit) const
+        {
+          return std::clamp(mean + slope * (unit - center), least, largest);
+        }
+      };
+
+      /// Least squares, weighted by V0: a constant would jump, by the
+      /// gradient, whenever a point crosses a face.
+      LinearRatio
+      fit_ratio(const unsigned int cell) const
       {
         const double *volume = points.data(PointColumn::initial_volume);
         const double *ratio  = points.data(PointColumn::volume_ratio);
-        double        sum = 0., total = 0.;
-        for (std::size_t p = points.first_point(cell);
-             p < points.first_point(cell + 1);
-             ++p)
+        const auto    begin  = points.first_point(cell),
+                   end       = points.first_point(cell + 1);
+        const auto unit      = [&](const std::size_t p) {
+          return points.locator.to_unit(cell, points.position(p));
+        };
+        LinearRatio    J;
+        Tensor<1, dim> center;
+        double         sum = 0., total = 0.;
+        J.least   = std::numeric_limits<double>::max();
+        J.largest = 0.;
+        for (std::size_t p = begin; p < end; ++p)
           {
-            sum += ratio[p] * volume[p];
             total += volume[p];
+            sum += volume[p] * ratio[p];
+            center += volume[p] * (unit(p) - Point<dim>());
+            J.least   = std::min(J.least, ratio[p]);
+            J.largest = std::max(J.largest, ratio[p]);
           }
-        return sum / total;
+        J.mean   = sum / total;
+        J.center = Point<dim>() + center / total;
+
+        Tensor<2, dim> moment;
+        Tensor<1, dim> product;
+        for (std::size_t p = begin; p < end; ++p)
+          {
+            const Tensor<1, dim> arm    = unit(p) - J.center;
+            const double         weight = volume[p] / total;
+            moment += weight * outer_product(arm, arm);
+            product += weight * (ratio[p] - J.mean) * arm;
+          }
+        // a uniform cell has 1/12 on the diagonal
+        if (determinant(moment) > 0.1 * std::pow(1. / 12., dim))
+          J.slope = invert(moment) * product;
+        return J;
       }
 
       const PointCloud<dim>    &points;

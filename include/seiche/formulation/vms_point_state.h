@@ -21,8 +21,8 @@ namespace seiche
     /// r = -grad p alone: split orthogonal subscales in Newton's iteration.
     const bool             is_split;
     double                 volume_n, volume_t, rho_t;
-    double                 J_slope;       // J dphi/dJ at J_1
-    double                 constraint;    // g = phi(J_1) + p/kappa
+    double                 J_slope;       // dphi(J) = J_slope div_1 du
+    double                 constraint;    // g = phi(J) + p/kappa
     double                 fine_pressure; // p~ = -tau2 (g - Pi g)
     dealii::Tensor<1, dim> acceleration, pressure_gradient;
     dealii::Tensor<1, dim> momentum_residual; // r - Pi r
@@ -51,14 +51,17 @@ namespace seiche
       volume_n         = J_n * quadrature.volume[q];
       volume_t         = point.det_t * volume_n;
       const double J_1 = point.det_1 * J_n;
-      J_slope          = material.volume_law.slope(J_1);
-      rho_t            = quadrature.mass[q] / volume_t;
-      acceleration     = point.value(cell.acceleration);
+      const double J =
+        J_1 - (1. - cell.coefficients.elastic_time) * (J_1 - J_n);
+      J_slope =
+        cell.coefficients.elastic_time * J_1 / J * material.volume_law.slope(J);
+      rho_t        = quadrature.mass[q] / volume_t;
+      acceleration = point.value(cell.acceleration);
 
       const double pressure = point.value(cell.pressure);
       pressure_gradient     = point.gradient(cell.pressure, point.gradient_t);
       constraint =
-        material.volume_law.strain(J_1) + pressure / material.bulk_modulus;
+        material.volume_law.strain(J) + pressure / material.bulk_modulus;
       const StepCoefficients &step = cell.coefficients;
       const bool viscous = step.viscous && !material.law.is_inviscid();
       if (viscous || step.rate_constraint != 0. || step.jerk_constraint != 0.)

@@ -37,6 +37,9 @@ namespace seiche
     /// [s^2] weight of -tr(l l) in the constraint, l the gradient of the rate's
     /// velocity: projection of v_0 and consistent start only.
     double rate_constraint = 0.;
+    /// [-] time within the step of the strain in p = -kappa phi(J):
+    /// J = J_n (1 + elastic_time (det f - 1)); 1 for infinite kappa.
+    double elastic_time = 1.;
     /// [s^3] weight of -(3 tr(l grad a) - 2 tr(l^3)) = -div(D^2 v/Dt^2) in the
     /// constraint: v_1 then has no divergence (doc/theory.md).
     double jerk_constraint = 0.;
@@ -45,10 +48,11 @@ namespace seiche
   /// prm entries that choose and tune the scheme (subsection "Time").
   struct TimeSchemeParameters
   {
-    std::string scheme         = "generalized midpoint";
-    double      rho_infinity   = 1.;
-    double      bossak_alpha   = -0.3;
-    std::string pressure_order = "second";
+    std::string scheme           = "generalized midpoint";
+    double      rho_infinity     = 1.;
+    double      bossak_alpha     = -0.3;
+    std::string pressure_order   = "second";
+    std::string elastic_pressure = "end";
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -62,8 +62,9 @@ namespace seiche
   /**
    * @brief Error of pressure or velocity against given functions.
    *
-   * Pressure: in the configuration x_n + theta u at `pressure_time`. Velocity:
-   * at x_n + u at the end of the step. Samples and their weights:
+   * Pressure: in the configuration x_n + pressure_theta u at
+   * `pressure_time`. Velocity: at x_n + u at the end of the step. Samples and
+   * their weights:
    * nodes of occupied cells, weight mass; 2^dim Gauss points of each occupied
    * cell, weight measure of the cell over their number; material points,
    * equal weights. Norms: rms sqrt(sum w e^2 / sum w) and maximum over
