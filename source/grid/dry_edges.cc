@@ -23,25 +23,31 @@ namespace seiche
     const auto               &locator = occupancy.locator;
     std::vector<unsigned int> wet(occupancy.n_own_nodes(), 0);
     std::vector<char>         has_fluid(occupancy.n_own_nodes(), 0);
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      if (occupancy.is_occupied(cell))
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          {
-            // for a hanging node: with degree 1 its master in the same corner
-            const unsigned int node = occupancy.cell_nodes(cell)[a];
-            if (node >= occupancy.n_own_nodes() ||
-                occupancy.wall_components(node) == 0)
-              continue;
-            has_fluid[node] = 1;
-            if (occupancy.fe.degree > 1 && occupancy.hanging().hangs(cell, a))
-              wet[node] = ~0u; // masters lie elsewhere: all stays fixed
-            for (const unsigned int face : GeometryInfo<dim>::face_indices())
-              if (occupancy.place(a, face / 2) ==
-                    (face % 2) * occupancy.fe.degree &&
-                  locator.boundary_id(cell, face) !=
-                    numbers::internal_face_boundary_id)
-                wet[node] |= 1u << (face / 2);
-          }
+    const auto                look_at = [&](const unsigned int cell) {
+      for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+        {
+          // for a hanging node: with degree 1 its master in the same corner
+          const unsigned int node = occupancy.cell_nodes(cell)[a];
+          if (node >= occupancy.n_own_nodes() ||
+              occupancy.wall_components(node) == 0)
+            continue;
+          has_fluid[node] = 1;
+          if (occupancy.fe.degree > 1 && occupancy.hanging().hangs(cell, a))
+            wet[node] = ~0u; // masters lie elsewhere: all stays fixed
+          for (const unsigned int face : GeometryInfo<dim>::face_indices())
+            if (occupancy.place(a, face / 2) ==
+                  (face % 2) * occupancy.fe.degree &&
+                locator.boundary_id(cell, face) !=
+                  numbers::internal_face_boundary_id)
+              wet[node] |= 1u << (face / 2);
+        }
+    };
+    for (const unsigned int cell : occupancy.occupied_cells())
+      look_at(cell);
+    for (unsigned int ghost = locator.n_owned(); ghost < locator.n_cells();
+         ++ghost)
+      if (occupancy.is_occupied(ghost))
+        look_at(ghost);
     for (unsigned int node = 0; node < wet.size(); ++node)
       if (has_fluid[node])
         nodes.push_back({node, wet[node]});

@@ -74,17 +74,30 @@ namespace seiche
     const auto place_of = [&](const types::global_dof_index node) {
       return std::find(nodes, nodes + n_nodes, node) - nodes;
     };
-    auto next = hanging.begin();
+    // nodes on edges first: with degree 1 each then takes its own master, which
+    // lies in the same corner of the parent, and the middle of a face none
+    std::stable_sort(hanging.begin(),
+                     hanging.end(),
+                     [&](const unsigned int a, const unsigned int b) {
+                       return masters_of(a).size() < masters_of(b).size();
+                     });
+    const auto is_free = [&](const unsigned int a) {
+      return nodes[a] == numbers::invalid_dof_index;
+    };
     for (const unsigned int a : hanging)
       for (const auto &[master, weight] : masters_of(a))
         if (place_of(master) == n_nodes)
           {
-            AssertThrow(next != hanging.end(),
+            const auto slot =
+              is_free(a) ?
+                std::find(hanging.begin(), hanging.end(), a) :
+                std::find_if(hanging.begin(), hanging.end(), is_free);
+            AssertThrow(slot != hanging.end(),
                         ExcMessage("More masters than hanging nodes."));
-            nodes[*next++] = master;
+            nodes[*slot] = master;
           }
     for (const unsigned int a : hanging)
-      if (nodes[a] == numbers::invalid_dof_index)
+      if (is_free(a))
         nodes[a] = masters_of(a).front().first; // its column is zero
 
     std::vector<double> matrix(n_nodes * n_nodes, 0.);

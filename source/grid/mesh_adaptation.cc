@@ -263,13 +263,20 @@ namespace seiche
                             at_surface,
                           level,
                           criterion.layers);
+    auto places = criterion.places;
+    if (criterion.kind == RefinementKind::walls)
+      for (BoundingBox<dim> &place : places)
+        {
+          const auto &[low, high] = place.get_boundary_points();
+          place = {std::make_pair(locator.moved(low), locator.moved(high))};
+        }
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         bool wanted = criterion.kind == RefinementKind::box;
         if (!wanted && holds_fluid[cell])
           wanted = true;
-        if (wanted && std::any_of(criterion.places.begin(),
-                                  criterion.places.end(),
+        if (wanted && std::any_of(places.begin(),
+                                  places.end(),
                                   [&](const BoundingBox<dim> &place) {
                                     return gap(place, locator.box(cell)) <=
                                            criterion.distance;

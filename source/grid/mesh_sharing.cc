@@ -10,9 +10,9 @@ namespace seiche
 
   namespace
   {
-    // Work in units of a thousandth of a full cell's, measured
-    // (doc/scaling.md). Cells at the surface have points instead of Gauss
-    // points as quadrature, and its nodes longer rows (ghost faces).
+    // Work in units of a thousandth of a full cell's (doc/scaling.md). Cells at
+    // the surface have points instead of Gauss points as quadrature, and its
+    // nodes longer rows (ghost faces).
     constexpr unsigned int weight_of_empty_cell       = 1;
     constexpr unsigned int weight_of_cell             = 400;
     constexpr unsigned int weight_of_node             = 600;
@@ -57,8 +57,9 @@ namespace seiche
 
   template <int dim>
   double
-  MeshAdaptation<dim>::imbalance() const
+  MeshAdaptation<dim>::imbalance()
   {
+    find_fluid(); // it may have moved since the mesh was last adapted
     double own = 0.;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       own += weight(cell);
@@ -110,9 +111,9 @@ namespace seiche
   template unsigned int
   MeshAdaptation<3>::weight(const unsigned int) const;
   template double
-  MeshAdaptation<2>::imbalance() const;
+  MeshAdaptation<2>::imbalance();
   template double
-  MeshAdaptation<3>::imbalance() const;
+  MeshAdaptation<3>::imbalance();
   template bool
   MeshAdaptation<2>::share_out(const bool);
   template bool

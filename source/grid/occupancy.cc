@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/component_partitioner.h>
 #include <seiche/grid/occupancy.h>
-#include <seiche/utilities/compatibility.h>
 #include <seiche/utilities/exceptions.h>
 
 #include <fmt/format.h>

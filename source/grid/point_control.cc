@@ -164,32 +164,56 @@ namespace seiche
   }
 
   template <int dim>
+  std::vector<std::string>
+  PointControl<dim>::account_names(const PointControlParameters &parameters)
+  {
+    std::vector<std::string> result;
+    const auto               add = [&result](const std::string &what) {
+      result.push_back(what + " energy [J]");
+      for (unsigned int d = 0; d < dim; ++d)
+        result.push_back(
+          fmt::format("{} momentum {} [kg m/s]", what, "xyz"[d]));
+      for (unsigned int d = dim == 2 ? 2 : 0; d < 3; ++d)
+        result.push_back(
+          fmt::format("{} angular momentum {} [kg m^2/s]", what, "xyz"[d]));
+    };
+    if (parameters.sweeps > 0)
+      add("shifting");
+    if (parameters.reseeding)
+      {
+        result.insert(result.end(), {"points split [-]", "points merged [-]"});
+        add("splitting");
+        add("merging");
+      }
+    return result;
+  }
+
+  template <int dim>
   std::vector<std::pair<std::string, double>>
   PointControl<dim>::account() const
   {
-    std::vector<std::pair<std::string, double>> result;
-    const auto add = [&result](const std::string &what, const Moments &change) {
-      result.emplace_back(what + " energy [J]", change[0]);
-      for (unsigned int d = 0; d < dim; ++d)
-        result.emplace_back(fmt::format("{} momentum {} [kg m/s]",
-                                        what,
-                                        "xyz"[d]),
-                            change[1 + d]);
+    std::vector<double> values;
+    const auto          add = [&values](const Moments &change) {
+      for (unsigned int d = 0; d < 1 + dim; ++d)
+        values.push_back(change[d]);
       for (unsigned int d = dim == 2 ? 2 : 0; d < 3; ++d)
-        result.emplace_back(fmt::format("{} angular momentum {} [kg m^2/s]",
-                                        what,
-                                        "xyz"[d]),
-                            change[4 + d]);
+        values.push_back(change[4 + d]);
     };
     if (parameters.sweeps > 0)
-      add("shifting", by_shifting);
+      add(by_shifting);
     if (parameters.reseeding)
       {
-        result.emplace_back("points split [-]", n_split);
-        result.emplace_back("points merged [-]", n_merged);
-        add("splitting", by_splitting);
-        add("merging", by_merging);
+        values.insert(values.end(),
+                      {static_cast<double>(n_split),
+                       static_cast<double>(n_merged)});
+        add(by_splitting);
+        add(by_merging);
       }
+    const auto names = account_names(parameters);
+    AssertDimension(names.size(), values.size());
+    std::vector<std::pair<std::string, double>> result;
+    for (unsigned int i = 0; i < names.size(); ++i)
+      result.emplace_back(names[i], values[i]);
     return result;
   }
 

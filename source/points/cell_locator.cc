@@ -107,6 +107,19 @@ namespace seiche
 
 
   template <int dim>
+  dealii::Point<dim>
+  CellLocator<dim>::moved(const dealii::Point<dim> &x) const
+  {
+    dealii::Point<dim> result = x;
+    if (line_place)
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = line_place(d, x[d]);
+    return result;
+  }
+
+
+
+  template <int dim>
   void
   CellLocator<dim>::set_box(const unsigned int cell)
   {

@@ -177,14 +177,20 @@ namespace seiche
         if (point_cells[p] != invalid && locator.holds(point_cells[p], here))
           continue;
 
-        const unsigned int cell = locator.find(here, point_cells[p]);
+        unsigned int cell = locator.find(here, point_cells[p]);
         if (cell == invalid)
-          judge_outside(p, census);
-        else if (!locator.holds(cell, here))
+          {
+            cell = put_back(p);
+            if (cell == invalid)
+              judge_outside(p, census);
+            else
+              ++census.n_put_back;
+          }
+        if (cell != invalid && !locator.holds(cell, position(p)))
           // on a wall up to round-off: put it there, so that no shape
           // function becomes negative
           for (unsigned int d = 0; d < dim; ++d)
-            x[d][p] = std::min(std::max(here[d], locator.lower_corner(cell)[d]),
+            x[d][p] = std::min(std::max(x[d][p], locator.lower_corner(cell)[d]),
                                locator.upper_corner(cell)[d]);
         census.moved   = census.moved || cell != point_cells[p];
         point_cells[p] = cell;
@@ -192,6 +198,44 @@ namespace seiche
           emigrants.push_back(p);
       }
     return census;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  PointCloud<dim>::put_back(const std::size_t point)
+  {
+    const dealii::Point<dim> here = position(point);
+    const auto               wall = locator.wall_beyond(here);
+    if (point_cells[point] == invalid || wall < 2 * dim ||
+        wall == dealii::numbers::internal_face_boundary_id ||
+        locator.grid.wall_condition(wall) == WallCondition::no_slip)
+      return invalid;
+    const auto &box = locator.grid.parameters.obstacles[wall - 2 * dim];
+    const dealii::Tensor<1, dim> extent  = locator.extent(point_cells[point]);
+    double                       nearest = std::numeric_limits<double>::max();
+    unsigned int                 result = invalid, direction = 0;
+    double                       place = 0.;
+    for (unsigned int d = 0; d < dim; ++d)
+      for (const double face : {box.lower_corner[d], box.upper_corner[d]})
+        {
+          const double depth = std::abs(here[d] - face);
+          if (depth > 0.5 * extent[d] || depth >= nearest)
+            continue;
+          dealii::Point<dim> on_face = here;
+          on_face[d]                 = face;
+          const unsigned int cell = locator.find(on_face, point_cells[point]);
+          if (cell == invalid)
+            continue;
+          nearest   = depth;
+          result    = cell;
+          direction = d;
+          place     = face;
+        }
+    if (result != invalid)
+      data(PointColumn::position, direction)[point] = place;
+    return result;
   }
 
 
@@ -260,15 +304,16 @@ namespace seiche
   PointCloud<dim>::account(const Census &census)
   {
     // exact in double up to 2^53 points
-    std::array<double, 5> sums   = {{double(census.n_before),
+    std::array<double, 6> sums   = {{double(census.n_before),
                                      double(size()),
                                      double(census.n_outflow),
                                      double(census.n_lost),
-                                     census.outflow_mass}};
+                                     census.outflow_mass,
+                                     double(census.n_put_back)}};
     std::string           report = census.lost_report;
     if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
       {
-        const std::array<double, 5> own = sums;
+        const std::array<double, 6> own = sums;
         dealii::Utilities::MPI::sum(
           dealii::ArrayView<const double>(own.data(), own.size()),
           communicator,
@@ -289,7 +334,8 @@ namespace seiche
                     sums[0] - sums[1] - sums[2]));
     global_size = static_cast<std::uint64_t>(sums[1]);
     outflow += static_cast<std::uint64_t>(sums[2]);
-    lost_mass += sums[4];
+    mass_of_outflow += sums[4];
+    put_back_total += static_cast<std::uint64_t>(sums[5]);
   }
 
 
@@ -299,7 +345,8 @@ namespace seiche
   PointCloud<dim>::save_or_load(StateArchive &archive)
   {
     archive("outflow points", outflow);
-    archive("outflow mass", lost_mass);
+    archive("outflow mass", mass_of_outflow);
+    archive("points put back", put_back_total);
   }
 
 

@@ -160,7 +160,9 @@ namespace seiche
     };
     double result = under(box.lower_corner, box.upper_corner);
     for (const auto &obstacle : box.obstacles)
-      if (obstacle.lower_corner[dim - 1] <= box.lower_corner[dim - 1])
+      if (obstacle.lower_corner[dim - 1] <=
+          box.lower_corner[dim - 1] +
+            1e-9 * (box.upper_corner[dim - 1] - box.lower_corner[dim - 1]))
         result -= under(obstacle.lower_corner, obstacle.upper_corner);
     // a gauge on an obstacle sees what is above it
     return result > 0. ? result : under(box.lower_corner, box.upper_corner);
@@ -176,7 +178,7 @@ namespace seiche
     for (unsigned int g = 0; g < gauges.size(); ++g)
       {
         const double width =
-          gauges[g].width > 0. ? gauges[g].width : view.spacing_cell;
+          gauges[g].width > 0. ? gauges[g].width : view.smallest_extent;
         const double *height = view.points.data(PointColumn::position, dim - 1);
         const double *volume = view.points.data(PointColumn::initial_volume);
         std::array<const double *, dim - 1> x;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/mass_and_energy.h>
+#include <seiche/utilities/axis_names.h>
 
 #include <limits>
 
@@ -9,8 +10,6 @@ namespace seiche
 
   namespace
   {
-    constexpr std::array<const char *, 3> axis = {{"x", "y", "z"}};
-
     /// Quantities summed over the points: six scalars, then momentum and
     /// angular momentum.
     enum Summand : unsigned int
@@ -153,9 +152,9 @@ namespace seiche
                                       "mass [kg]",
                                       "volume_relative_change"};
     for (unsigned int d = 0; d < dim; ++d)
-      names.push_back(std::string("momentum ") + axis[d] + " [kg m/s]");
+      names.push_back(std::string("momentum ") + axis_names[d] + " [kg m/s]");
     for (unsigned int d = 3 - n_rotations; d < 3; ++d)
-      names.push_back(std::string("angular momentum ") + axis[d] +
+      names.push_back(std::string("angular momentum ") + axis_names[d] +
                       " [kg m^2/s]");
     for (const char *name : {"kinetic energy [J]",
                              "potential energy [J]",

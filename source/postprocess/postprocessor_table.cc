@@ -183,15 +183,12 @@ namespace seiche
 
   template <int dim>
   void
-  PostprocessorList<dim>::check(const BackgroundGrid<dim> &grid) const
+  PostprocessorList<dim>::check(
+    const BackgroundGrid<dim>      &grid,
+    const std::vector<std::string> &other_columns) const
   {
     const Implementation    &all     = *implementation;
-    std::vector<std::string> columns = {"step",
-                                        "time [s]",
-                                        "dt [s]",
-                                        "pressure_time [s]",
-                                        "newton_iterations",
-                                        "krylov_iterations"};
+    std::vector<std::string> columns = other_columns;
     for (const std::string &column : MassAndEnergy<dim>::columns())
       columns.push_back(column);
     check_instances(all.fronts, all.input, grid, columns);
@@ -261,8 +258,8 @@ namespace seiche
     for (const auto &postprocessor : implementation->list)
       postprocessor->finish(statistics, summary);
 
-    nlohmann::ordered_json &errors = summary["errors"];
-    errors                         = nlohmann::ordered_json::object();
+    // a reference into the summary would not outlive its next new entry
+    nlohmann::ordered_json errors = nlohmann::ordered_json::object();
     for (const Score &score : implementation->scores)
       {
         const std::string &name = score.parameters.name;
@@ -277,6 +274,7 @@ namespace seiche
                                           "\": " + warning);
           }
       }
+    summary["errors"] = errors;
   }
 
   template <int dim>

@@ -2,6 +2,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/postprocess/grid_evaluation.h>
 #include <seiche/postprocess/probes.h>
+#include <seiche/utilities/axis_names.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
@@ -14,8 +15,6 @@ namespace seiche
 
   namespace
   {
-    constexpr std::array<const char *, 3> axis = {{"x", "y", "z"}};
-
     /// Signed distance of @p x to a box along the direction in which it is
     /// farthest outside (or nearest to a face, if inside), and that direction.
     template <int dim>
@@ -113,7 +112,8 @@ namespace seiche
       return {"probe " + name + " pressure [Pa]"};
     std::vector<std::string> names;
     for (unsigned int d = 0; d < dim; ++d)
-      names.push_back("probe " + name + " velocity " + axis[d] + " [m/s]");
+      names.push_back("probe " + name + " velocity " + axis_names[d] +
+                      " [m/s]");
     return names;
   }
 
@@ -190,7 +190,7 @@ namespace seiche
             const unsigned int cell = locator.find(x);
             if (cell == CellLocator<dim>::invalid ||
                 locator.owner(cell) != rank ||
-                !here.find(x, scalar ? view.theta : 1.))
+                !here.find(x, scalar ? view.pressure_theta : 1.))
               continue;
             if (scalar)
               sum[0] += here.value(p);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
 #include <seiche/postprocess/tracked_points.h>
+#include <seiche/utilities/axis_names.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -12,7 +13,6 @@ namespace seiche
 
   namespace
   {
-    constexpr std::array<const char *, 3> axis = {{"x", "y", "z"}};
     constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   } // namespace
 
@@ -51,7 +51,7 @@ namespace seiche
   {
     std::vector<std::string> names;
     for (unsigned int d = 0; d < dim; ++d)
-      names.push_back("point " + name + " " + axis[d] + " [m]");
+      names.push_back("point " + name + " " + axis_names[d] + " [m]");
     names.push_back("point " + name + " radius ratio [-]");
     return names;
   }

@@ -2,6 +2,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/parameters/nearest_name.h>
 #include <seiche/postprocess/wall_forces.h>
+#include <seiche/utilities/axis_names.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -11,8 +12,6 @@ namespace seiche
 
   namespace
   {
-    constexpr std::array<const char *, 3> axis = {{"x", "y", "z"}};
-
     template <int dim>
     constexpr unsigned int n_rotations = (dim == 2 ? 1 : 3);
 
@@ -27,16 +26,15 @@ namespace seiche
     {
       if (face == "all")
         return true;
-      const std::array<const char *, 6> sides = {
-        {"left", "right", "front", "back", "bottom", "top"}};
-      unsigned int side =
-        std::find(sides.begin(), sides.end(), face) - sides.begin();
-      if (dim == 2 && side >= 4)
-        side -= 2;
-      const unsigned int d     = side / 2;
-      const double       place = side % 2 == 0 ? lower[d] : upper[d];
-      return component == d &&
-             std::abs(x[d] - place) < 1e-8 * (upper[d] - lower[d]);
+      for (unsigned int side = 0; side < 2 * dim; ++side)
+        {
+          const unsigned int d     = side / 2;
+          const double       place = side % 2 == 0 ? lower[d] : upper[d];
+          if (face == side_name<dim>(side))
+            return component == d &&
+                   std::abs(x[d] - place) < 1e-8 * (upper[d] - lower[d]);
+        }
+      return false;
     }
 
     template <int dim>
@@ -126,9 +124,9 @@ namespace seiche
   {
     std::vector<std::string> names;
     for (unsigned int d = 0; d < dim; ++d)
-      names.push_back("force " + name + " " + axis[d] + " [N]");
+      names.push_back("force " + name + " " + axis_names[d] + " [N]");
     for (unsigned int d = 3 - n_rotations<dim>; d < 3; ++d)
-      names.push_back("moment " + name + " " + axis[d] + " [N m]");
+      names.push_back("moment " + name + " " + axis_names[d] + " [N m]");
     return names;
   }
 
@@ -138,7 +136,15 @@ namespace seiche
     const BackgroundGrid<dim>               &background_grid)
     : forces(parameters)
     , grid(background_grid)
-  {}
+    , forces_of_wall(grid.n_walls())
+  {
+    const std::vector<std::string> names = wall_names(grid);
+    for (unsigned int f = 0; f < forces.size(); ++f)
+      for (const std::string &wall : forces[f].walls)
+        forces_of_wall[std::find(names.begin(), names.end(), wall) -
+                       names.begin()]
+          .push_back(f);
+  }
 
   template <int dim>
   bool
@@ -158,39 +164,21 @@ namespace seiche
   void
   WallForces<dim>::collect_shares(const Occupancy<dim> &occupancy)
   {
-    // boundary id -> forces that count it
-    const std::vector<std::string>         names = wall_names(grid);
-    std::vector<std::vector<unsigned int>> forces_of_wall(names.size());
-    for (unsigned int f = 0; f < forces.size(); ++f)
-      for (const std::string &wall : forces[f].walls)
-        forces_of_wall[std::find(names.begin(), names.end(), wall) -
-                       names.begin()]
-          .push_back(f);
-
     shares.clear();
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          // walls that fix the component, or those whose friction acts along it
-          const bool fixed = (occupancy.wall_components(node) >> c) & 1u;
-          if (!fixed && !grid.parameters.any_friction())
-            continue;
-          const auto weight = [&](const auto &entry) {
-            return !fixed               ? grid.parameters.friction(entry.wall) :
-                   entry.component == c ? 1. :
-                                          0.;
-          };
-          double sum = 0.;
-          for (const auto &entry : occupancy.walls_at(node))
-            sum += weight(entry);
-          for (const auto &entry : occupancy.walls_at(node))
-            for (const unsigned int f : forces_of_wall[entry.wall])
-              if (weight(entry) > 0. && counts(forces[f],
-                                               entry.wall,
-                                               occupancy.node_position(node),
-                                               c))
-                shares.push_back({f, node, c, weight(entry) / sum});
-        }
+      {
+        std::array<unsigned int, dim> n_walls{}; // that fix a component
+        for (const auto &entry : occupancy.walls_at(node))
+          ++n_walls[entry.component];
+        for (const auto &entry : occupancy.walls_at(node))
+          for (const unsigned int f : forces_of_wall[entry.wall])
+            if (counts(forces[f],
+                       entry.wall,
+                       occupancy.node_position(node),
+                       entry.component))
+              shares.push_back(
+                {f, node, entry.component, 1. / n_walls[entry.component]});
+      }
     generation = occupancy.generation();
   }
 
@@ -204,24 +192,34 @@ namespace seiche
 
     constexpr unsigned int n = dim + n_rotations<dim>;
     std::vector<double>    sums(n * forces.size(), 0.);
+    // what acts on the fluid at a node; its opposite acts on the wall
+    const auto subtract = [&](const unsigned int    f,
+                              const unsigned int    node,
+                              const Tensor<1, dim> &force) {
+      Tensor<1, dim> arm =
+        view.occupancy.node_position(node) - forces[f].reference_point;
+      for (unsigned int d = 0; d < dim; ++d)
+        arm[d] +=
+          view.theta * view.state.displacement().local_element(dim * node + d);
+      double *sum = &sums[n * f];
+      for (unsigned int d = 0; d < dim; ++d)
+        sum[d] -= force[d];
+      const auto turn = moment(arm, force);
+      for (unsigned int r = 0; r < turn.size(); ++r)
+        sum[dim + r] -= turn[r];
+    };
     for (const Share &share : shares)
       {
-        // the reaction acts on the fluid, its opposite on the wall
         Tensor<1, dim> force;
         force[share.component] =
-          -share.part *
+          share.part *
           view.state.reaction.local_element(dim * share.node + share.component);
-        Tensor<1, dim> arm = view.occupancy.node_position(share.node) -
-                             forces[share.force].reference_point;
-        for (unsigned int d = 0; d < dim; ++d)
-          arm[d] += view.theta * view.state.displacement().local_element(
-                                   dim * share.node + d);
-        double *sum = &sums[n * share.force];
-        sum[share.component] += force[share.component];
-        const auto turn = moment(arm, force);
-        for (unsigned int r = 0; r < turn.size(); ++r)
-          sum[dim + r] += turn[r];
+        subtract(share.force, share.node, force);
       }
+    for (const auto &drag : view.state.drags)
+      for (const unsigned int f : forces_of_wall[drag.wall])
+        if (forces[f].face == "all")
+          subtract(f, drag.node, drag.force);
     Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
                         view.points.communicator,
                         ArrayView<double>(sums.data(), sums.size()));

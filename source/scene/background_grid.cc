@@ -85,20 +85,6 @@ namespace seiche
 
 
   template <int dim>
-  std::string
-  side_name(const unsigned int id)
-  {
-    const std::array<const char *, 4> names_2d = {
-      {"left", "right", "bottom", "top"}};
-    const std::array<const char *, 6> names_3d = {
-      {"left", "right", "front", "back", "bottom", "top"}};
-    AssertIndexRange(id, 2 * dim);
-    return dim == 2 ? names_2d[id] : names_3d[id];
-  }
-
-
-
-  template <int dim>
   std::vector<GridSegment>
   make_segments(const GridParameters<dim> &parameters,
                 const unsigned int         direction)
@@ -158,8 +144,13 @@ namespace seiche
       }
     make_coarse_cells();
     set_boundary_ids();
-    triangulation.refine_global(n_refinements);
     triangulation.repartition(); // automatic partitioning is off
+    for (unsigned int i = 0; i < n_refinements; ++i)
+      {
+        // shared out at once: p4est begins with one cell a tree, on one rank
+        triangulation.refine_global(1);
+        triangulation.repartition();
+      }
   }
 
 
@@ -339,10 +330,6 @@ namespace seiche
 
 
 
-  template std::string
-  side_name<2>(const unsigned int);
-  template std::string
-  side_name<3>(const unsigned int);
   template std::vector<GridSegment>
   make_segments<2>(const GridParameters<2> &, const unsigned int);
   template std::vector<GridSegment>

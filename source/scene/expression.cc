@@ -293,26 +293,6 @@ namespace seiche
 
 
 
-  template <int dim>
-  bool
-  Expression<dim>::is_zero() const
-  {
-    return constant && std::all_of(constant_values.begin(),
-                                   constant_values.end(),
-                                   [](const double v) { return v == 0.; });
-  }
-
-
-
-  template <int dim>
-  bool
-  Expression<dim>::depends_on_time() const
-  {
-    return with_time;
-  }
-
-
-
   template class Expression<2>;
   template class Expression<3>;
 } // namespace seiche

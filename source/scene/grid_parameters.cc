@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
-#include <seiche/scene/background_grid.h>
 #include <seiche/scene/entry_values.h>
+#include <seiche/scene/grid_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>

@@ -1,17 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The entries of GridParameters about walls: sides of the domain and obstacles.
 #include <seiche/parameters/input_file.h>
-#include <seiche/scene/background_grid.h>
 #include <seiche/scene/entry_values.h>
+#include <seiche/scene/grid_parameters.h>
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
 
 #include <algorithm>
+#include <array>
 
 namespace seiche
 {
+  template <int dim>
+  std::string
+  side_name(const unsigned int id)
+  {
+    const std::array<const char *, 4> names_2d = {
+      {"left", "right", "bottom", "top"}};
+    const std::array<const char *, 6> names_3d = {
+      {"left", "right", "front", "back", "bottom", "top"}};
+    AssertIndexRange(id, 2 * dim);
+    return dim == 2 ? names_2d[id] : names_3d[id];
+  }
+
+
+
   namespace
   {
     /// Entry of a side in "Walls": its name with a capital letter.
@@ -26,19 +40,45 @@ namespace seiche
 
 
 
+    struct ConditionEntry
+    {
+      const char   *name;
+      WallCondition condition;
+      const char   *text;
+      bool          of_obstacles; // may have it
+    };
+
+    constexpr std::array<ConditionEntry, 4> condition_table = {
+      {{"slip", WallCondition::slip, "no flow to or from it", true},
+       {"unilateral",
+        WallCondition::unilateral,
+        "the same, but the fluid may leave it",
+        true},
+       {"no-slip", WallCondition::no_slip, "the fluid sticks to it", true},
+       {"open", WallCondition::open, "fluid may leave the domain", false}}};
+
+    /// Allowed names, and what they mean.
+    std::pair<std::string, std::string>
+    conditions(const bool of_obstacle)
+    {
+      std::string names, meaning;
+      for (const ConditionEntry &entry : condition_table)
+        if (entry.of_obstacles || !of_obstacle)
+          {
+            names += (names.empty() ? "" : "|") + std::string(entry.name);
+            meaning += (meaning.empty() ? "" : "; ") + std::string(entry.name) +
+                       ": " + entry.text;
+          }
+      return {names, meaning + "."};
+    }
+
     WallCondition
     wall_condition_from_string(const std::string &text)
     {
-      if (text == "slip")
-        return WallCondition::slip;
-      if (text == "unilateral")
-        return WallCondition::unilateral;
-      if (text == "no-slip")
-        return WallCondition::no_slip;
-      if (text == "open")
-        return WallCondition::open;
-      AssertThrow(false, dealii::ExcMessage("Unknown wall: " + text));
-      return WallCondition::slip;
+      return std::find_if(condition_table.begin(),
+                          condition_table.end(),
+                          [&](const auto &entry) { return text == entry.name; })
+        ->condition; // the pattern refuses other names
     }
 
 
@@ -61,11 +101,9 @@ namespace seiche
     for (unsigned int id = 0; id < 2 * dim; ++id)
       prm.add_parameter(side_entry<dim>(id),
                         walls_text[id],
-                        "slip: no flow to or from the wall; unilateral: the "
-                        "same, but the fluid may leave it; no-slip: the fluid "
-                        "sticks to it; open: fluid may leave the domain.",
+                        conditions(/*of_obstacle=*/false).second,
                         dealii::Patterns::Selection(
-                          "slip|unilateral|no-slip|open"));
+                          conditions(/*of_obstacle=*/false).first));
     for (unsigned int id = 0; id < 2 * dim; ++id)
       prm.add_parameter(side_entry<dim>(id) + " displacement",
                         displacements_text[id],
@@ -111,11 +149,9 @@ namespace seiche
                           /*has_to_be_set=*/true);
         prm.add_parameter("Condition",
                           obstacle.condition,
-                          "slip: no flow to or from the faces; unilateral: "
-                          "the same, but the fluid may leave them; no-slip: "
-                          "the fluid sticks to them.",
+                          conditions(/*of_obstacle=*/true).second,
                           dealii::Patterns::Selection(
-                            "slip|unilateral|no-slip"));
+                            conditions(/*of_obstacle=*/true).first));
         prm.add_parameter("Velocity",
                           obstacle.velocity,
                           "Velocity of the faces of a no-slip obstacle along "
@@ -195,11 +231,26 @@ namespace seiche
                   path + "Upper corner",
                   "the obstacle fills the whole domain.");
     for (unsigned int id = 0; id < 2 * dim; ++id)
+      input.require(text.name != side_name<dim>(id),
+                    path + "Lower corner",
+                    "an obstacle cannot have the name of a side of the "
+                    "domain; rename it.");
+    for (unsigned int other = 0; other < index; ++other)
       {
-        input.require(text.name != side_name<dim>(id),
+        bool overlaps = true;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double tolerance = 1e-9 * (upper_corner[d] - lower_corner[d]);
+            overlaps               = overlaps &&
+                       here.lower_corner[d] + tolerance <
+                         obstacles[other].upper_corner[d] &&
+                       obstacles[other].lower_corner[d] + tolerance <
+                         here.upper_corner[d];
+          }
+        input.require(!overlaps,
                       path + "Lower corner",
-                      "an obstacle cannot have the name of a side of the "
-                      "domain; rename it.");
+                      "the obstacle overlaps \"" + obstacles[other].name +
+                        "\"; make it of boxes that at most touch.");
       }
   }
 
@@ -315,4 +366,8 @@ namespace seiche
 
   template struct GridParameters<2>;
   template struct GridParameters<3>;
+  template std::string
+  side_name<2>(const unsigned int);
+  template std::string
+  side_name<3>(const unsigned int);
 } // namespace seiche

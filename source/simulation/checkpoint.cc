@@ -15,7 +15,7 @@ namespace seiche
   namespace
   {
     /// Of the content; raise it when old files cannot be read any more.
-    constexpr unsigned int format_version = 2;
+    constexpr unsigned int format_version = 3;
 
     constexpr std::size_t points_per_chunk = std::size_t(1) << 16;
 
@@ -54,37 +54,6 @@ namespace seiche
         throw FileError(filename + ": it is damaged (its hash does not fit "
                                    "its content).");
       return filename;
-    }
-
-    /// The columns of one chunk of points.
-    template <int dim>
-    struct Chunk
-    {
-      std::size_t                size; ///< points
-      const std::vector<double> *position;
-
-      dealii::Point<dim>
-      point(const std::size_t i) const
-      {
-        dealii::Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = (*position)[dim * i + d];
-        return x;
-      }
-    };
-
-    /// Call @p use(begin, chunk) for the positions in chunks.
-    template <int dim, typename Function>
-    void
-    for_each_chunk(const Hdf5Reader &reader, const Function &use)
-    {
-      const std::size_t n = reader.n_rows("id");
-      for (std::size_t begin = 0; begin < n; begin += points_per_chunk)
-        {
-          const std::size_t end = std::min(n, begin + points_per_chunk);
-          const auto position   = reader.doubles("position", dim, begin, end);
-          use(begin, Chunk<dim>{end - begin, &position});
-        }
     }
   } // namespace
 
@@ -178,44 +147,37 @@ namespace seiche
 
   template <int dim>
   void
-  Checkpoint::for_each_position(
-    const std::function<void(const dealii::Point<dim> &)> &use) const
-  {
-    for_each_chunk<dim>(reader, [&](const std::size_t, const auto &chunk) {
-      for (std::size_t i = 0; i < chunk.size; ++i)
-        use(chunk.point(i));
-    });
-  }
-
-
-
-  template <int dim>
-  void
   Checkpoint::insert_own_points(PointCloud<dim> &points) const
   {
-    for_each_chunk<dim>(
-      reader, [&](const std::size_t begin, const auto &chunk) {
-        std::vector<std::size_t> own;
-        for (std::size_t i = 0; i < chunk.size; ++i)
-          if (points.locator.find(chunk.point(i)) < points.locator.n_owned())
-            own.push_back(i);
-
+    const std::size_t n = n_points();
+    for (std::size_t begin = 0; begin < n; begin += points_per_chunk)
+      {
+        const std::size_t end   = std::min(n, begin + points_per_chunk);
+        const auto        ids   = reader.integers("id", begin, end);
+        const auto        x     = reader.doubles("position", dim, begin, end);
         const std::size_t first = points.size();
-        const auto ids = reader.integers("id", begin, begin + chunk.size);
-        for (const std::size_t i : own)
-          points.insert(ids[i], chunk.point(i), {}, 0., 0.);
+        std::vector<std::size_t> own;
+        for (std::size_t i = 0; i < end - begin; ++i)
+          {
+            dealii::Point<dim> place;
+            for (unsigned int d = 0; d < dim; ++d)
+              place[d] = x[dim * i + d];
+            if (points.locator.find(place) >= points.locator.n_owned())
+              continue;
+            own.push_back(i);
+            points.insert(ids[i], place, {}, 0., 0.);
+          }
         for (const PointColumnInfo &info : point_column_table)
           if (points.has(info.column))
             {
-              const unsigned int n = n_components(info.column, dim);
-              const auto         values =
-                reader.doubles(info.name, n, begin, begin + chunk.size);
-              for (unsigned int c = 0; c < n; ++c)
+              const unsigned int m = n_components(info.column, dim);
+              const auto values    = reader.doubles(info.name, m, begin, end);
+              for (unsigned int c = 0; c < m; ++c)
                 for (std::size_t k = 0; k < own.size(); ++k)
                   points.data(info.column, c)[first + k] =
-                    values[n * own[k] + c];
+                    values[m * own[k] + c];
             }
-      });
+      }
   }
 
 
@@ -264,12 +226,6 @@ namespace seiche
                     const PointCloud<3> &,
                     StateArchive &,
                     const ParameterValues &);
-  template void
-  Checkpoint::for_each_position<2>(
-    const std::function<void(const dealii::Point<2> &)> &) const;
-  template void
-  Checkpoint::for_each_position<3>(
-    const std::function<void(const dealii::Point<3> &)> &) const;
   template void
   Checkpoint::insert_own_points(PointCloud<2> &) const;
   template void

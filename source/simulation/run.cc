@@ -42,7 +42,7 @@ namespace seiche
     validate(const Scene<dim> &scene, const MPI_Comm communicator)
     {
       const BackgroundGrid<dim> grid(scene.grid, communicator);
-      scene.postprocessors.check(grid);
+      scene.postprocessors.check(grid, scene.simulation_columns());
       const CellLocator<dim> locator(grid);
       PointCloud<dim>        points(locator, {}, communicator);
       seed_bodies(

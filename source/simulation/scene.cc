@@ -43,13 +43,15 @@ namespace seiche
                       "Time in which volume errors of the points are removed; "
                       "0: within each step, which costs pressure noise [s]",
                       Patterns::Double(0.));
-    prm.add_parameter("Update",
-                      volume_update,
-                      "What changes the volume of a point in a step: the "
-                      "displacement gradient at the point, or its nodal mean, "
-                      "which keeps neighbours together. automatic: nodal mean "
-                      "for incompressible fluid, else at the point",
-                      Patterns::Selection("automatic|at the point|nodal mean"));
+    prm.add_parameter(
+      "Update",
+      volume_update,
+      "What changes the volume of a point in a step: the "
+      "displacement gradient at the point, or its nodal mean, "
+      "which keeps neighbours together. automatic: nodal mean "
+      "for incompressible fluid, else at the point (nodal mean: "
+      "higher order, but at a free surface less accurate)",
+      Patterns::Selection("automatic|at the point|nodal mean"));
     prm.leave_subsection();
     time.add_parameters(prm);
     time_scheme.add_parameters(prm);
@@ -92,6 +94,13 @@ namespace seiche
       "unilateral walls, walls with friction and walls with a "
       "displacement need generalized midpoint: the other schemes carry an "
       "acceleration that jumps where the fluid meets a wall");
+    input_file.require(
+      time_scheme.elastic_pressure == "end" ||
+        (time_scheme.scheme == "generalized midpoint" &&
+         std::isfinite(fluid.bulk_modulus)),
+      "Time/Elastic pressure",
+      "middle needs Scheme = generalized midpoint and a finite Fluid/Bulk "
+      "modulus: an incompressible fluid has no sound; set it to end");
     if (bodies.empty())
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "
@@ -107,11 +116,6 @@ namespace seiche
                        "Volume/Relaxation time",
                        "a finite Bulk modulus needs the whole volume error: "
                        "set it to 0, or Bulk modulus = infinite");
-    input_file.require(volume_update != "nodal mean" ||
-                         std::isinf(fluid.bulk_modulus),
-                       "Volume/Update",
-                       "with a finite Bulk modulus the volume of a point is "
-                       "its pressure: set it to automatic");
     input_file.require(
       transfer_method(transfer.method).update !=
           VelocityUpdate::flip_acceleration ||
@@ -127,6 +131,22 @@ namespace seiche
   {
     return volume_update == "nodal mean" ||
            (volume_update == "automatic" && std::isinf(fluid.bulk_modulus));
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  Scene<dim>::simulation_columns() const
+  {
+    std::vector<std::string> names = {"step",
+                                      "time [s]",
+                                      "dt [s]",
+                                      "pressure_time [s]",
+                                      "newton_iterations",
+                                      "krylov_iterations",
+                                      "occupied_cells"};
+    const auto account = PointControl<dim>::account_names(point_control);
+    names.insert(names.end(), account.begin(), account.end());
+    return names;
   }
 
   template <int dim>

@@ -53,7 +53,7 @@ namespace seiche
     , statistics(directory + "/statistics.csv",
                  Utilities::MPI::this_mpi_process(communicator) == 0)
   {
-    scene.postprocessors.check(grid);
+    scene.postprocessors.check(grid, scene.simulation_columns());
   }
 
   template <int dim>

@@ -32,32 +32,42 @@ namespace seiche
     const double           time = time_stepper.time();
     const double           dt   = step == 0 ? 0. : state.dt;
     const NewtonResult    &last = step_solver.effort();
-    StepView<dim>          view{step,
+    const double theta = step == 0 ? 0. : step_solver.coefficients().theta;
+    // points that carry the pressure have that of the end of the step
+    const bool          at_end = !state.has_pressure();
+    StepView<dim>       view{step,
                        time,
                        dt,
-                       time - (1. - time_scheme->pressure_time()) * dt,
+                       at_end ? time :
+                                      time - (1. - time_scheme->pressure_time()) * dt,
                        points,
                        occupancy,
                        fill,
                        state,
                        scene.fluid.density,
                        body_force.is_constant() ? body_force.constant_value() :
-                                                           Tensor<1, dim>(),
+                                                        Tensor<1, dim>(),
                        scene.fluid.bulk_modulus,
-                       step == 0 ? 0. : step_solver.coefficients().theta,
+                       theta,
+                       at_end ? 1. : theta,
                        seeding.half_spacing,
                        occupancy.smallest_extent(),
                        last.iterations,
                        last.krylov_iterations};
-    statistics.set("step", step);
-    statistics.set("time [s]", time);
-    statistics.set("dt [s]", dt);
-    statistics.set("pressure_time [s]", view.pressure_time);
-    statistics.set("newton_iterations", last.iterations);
-    statistics.set("krylov_iterations", last.krylov_iterations);
-    statistics.set("occupied_cells", occupancy.n_global_occupied_cells());
-    for (const auto &[name, value] : point_control.account())
-      statistics.set(name, value);
+    std::vector<double> values = {static_cast<double>(step),
+                                  time,
+                                  dt,
+                                  view.pressure_time,
+                                  static_cast<double>(last.iterations),
+                                  static_cast<double>(last.krylov_iterations),
+                                  static_cast<double>(
+                                    occupancy.n_global_occupied_cells())};
+    for (const auto &change : point_control.account())
+      values.push_back(change.second);
+    const auto names = scene.simulation_columns();
+    AssertDimension(names.size(), values.size());
+    for (unsigned int i = 0; i < names.size(); ++i)
+      statistics.set(names[i], values[i]);
     scene.postprocessors.execute(view, statistics);
     statistics.end_row();
     if (step > 0)
@@ -80,6 +90,7 @@ namespace seiche
     summary["cells"]           = grid.triangulation.n_global_active_cells();
     summary["occupied_cells_max"] = occupied_max;
     summary["work_imbalance"]     = mesh_adaptation.imbalance();
+    summary["points_put_back"]    = points.n_put_back();
     summary["dofs_max"]           = unknowns_max;
     summary["end_time"]           = time_stepper.time();
     summary["steps"]              = time_stepper.steps();

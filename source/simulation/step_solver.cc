@@ -80,7 +80,10 @@ namespace seiche
   {
     matrix.reinit(fill);
     if (!time_scheme.needs_acceleration())
-      dry_edges.reinit();
+      {
+        dry_edges.reinit();
+        wall_friction.reinit();
+      }
     inertia_offset.reinit(occupancy.vector_partitioner());
     rate_offset.reinit(occupancy.vector_partitioner());
   }
@@ -132,7 +135,6 @@ namespace seiche
         return result.failure;
     }
     time_scheme.finish(state);
-    wall_friction.add_reactions(state);
     return "";
   }
 

@@ -247,6 +247,15 @@ GEOMETRY = [
          **added("subsection Obstacle box\n  set Lower corner = 0.9, 0\n"
                  "  set Upper corner = 1.2, 0.1\nend\n"),
          line=LAST + 3, expect=['"Upper corner" in "Obstacle box"']),
+    Case("obstacles that overlap",
+         **added("subsection Obstacle a\n  set Lower corner = 0.5, 0\n"
+                 "  set Upper corner = 0.7, 0.2\nend\n"
+                 "subsection Obstacle b\n  set Lower corner = 0.6, 0\n"
+                 "  set Upper corner = 0.8, 0.1\nend\n"),
+         line=LAST + 6, expect=['"Lower corner" in "Obstacle b"', '"a"']),
+    Case("sound in an incompressible fluid",
+         **added("subsection Time\n  set Elastic pressure = middle\nend\n"),
+         line=LAST + 2, expect=['"Elastic pressure" in "Time"', "Bulk"]),
     Case("unknown refinement criterion",
          **added("subsection Refinement a\n  set Criterion = surface\nend\n"),
          line=LAST + 2, expect=['"Criterion" in "Refinement a"',

@@ -22,6 +22,7 @@ SCENE_2D = str(HERE / "dam_break_2d.prm")
 SCENE_3D = str(HERE / "column_3d.prm")
 SCENE_PISTON = str(HERE / "piston_2d.prm")
 SCENE_ADAPTIVE = str(HERE / "adaptive_2d.prm")
+SCENE_BOX = str(HERE / "box_3d.prm")
 SCENE_POINTS = str(HERE / "cavity_2d.prm")
 # leave nothing to the solver's choices
 TIGHT = ["Solver/Newton tolerance = 1e-12",
@@ -87,6 +88,10 @@ def exact_3d(make, folder, ranks):
 
 def exact_adaptive(make, folder, ranks):
     exact(make(SCENE_ADAPTIVE, ranks), folder, ["statistics.csv"], ["0.13"])
+
+
+def exact_box(make, folder, ranks):
+    exact(make(SCENE_BOX, ranks), folder, ["statistics.csv"], ["0.07"])
 
 
 def exact_points(make, folder, ranks):
@@ -241,6 +246,7 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_piston": (exact_piston, 1),
          "exact_3d": (exact_3d, 1), "exact_3d_2_ranks": (exact_3d, 2),
          "exact_adaptive_2_ranks": (exact_adaptive, 2),
+         "exact_box_2_ranks": (exact_box, 2),
          "exact_points": (exact_points, 1),
          "exact_points_2_ranks": (exact_points, 2),
          "other_ranks": (other_ranks, 1), "damaged": (damaged, 1),

@@ -16,7 +16,6 @@ namespace
     const dealii::Tensor<1, 2>  v =
       f.vector_value(dealii::Point<2>(0.5, 0.25), /*t=*/2.);
     std::cout << text << " = " << v << " constant " << f.is_constant()
-              << " zero " << f.is_zero() << " time " << f.depends_on_time()
               << std::endl;
   }
 

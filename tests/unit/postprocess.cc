@@ -261,7 +261,7 @@ namespace
     Parsed<dim>               parsed(input);
     auto                     &postprocessors = parsed.postprocessors;
     const BackgroundGrid<dim> grid(parsed.grid, communicator);
-    postprocessors.check(grid);
+    postprocessors.check(grid, {"time [s]"});
     postprocessors.make(name, grid, communicator);
 
     const CellLocator<dim> locator(grid);
@@ -287,7 +287,9 @@ namespace
         const StepView<dim> view{step,
                                  0.1 * step,
                                  step == 0 ? 0. : 0.1,
-                                 step == 0 ? 0. : 0.1 * step - 0.05,
+                                 step == 0     ? 0. :
+                                 with_pressure ? 0.1 * step - 0.05 :
+                                                 0.1 * step,
                                  points,
                                  occupancy,
                                  fill,
@@ -296,6 +298,7 @@ namespace
                                  gravity,
                                  std::numeric_limits<double>::infinity(),
                                  theta,
+                                 with_pressure ? theta : 1.,
                                  0.0625,
                                  0.25};
         statistics.set("time [s]", view.time);
@@ -357,7 +360,7 @@ namespace
         const InputFile         input("scene2d.prm", {override_entry});
         Parsed<2>               parsed(input);
         const BackgroundGrid<2> grid(parsed.grid, MPI_COMM_WORLD);
-        parsed.postprocessors.check(grid);
+        parsed.postprocessors.check(grid, {"time [s]"});
       }
     catch (const InputError &error)
       {

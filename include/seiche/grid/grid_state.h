@@ -49,7 +49,15 @@ namespace seiche
     Vector velocity_np1;     ///< [m/s]   end of the step
     Vector acceleration_np1; ///< [m/s^2] of the step (scheme's own meaning)
     Vector pressure_guess;   ///< [Pa] mass-weighted mean of the points
-    Vector reaction;         ///< [N] force of the walls on the fluid
+    Vector reaction;         ///< [N] of what fixes components, on the fluid
+
+    /// Force of a wall's friction on the fluid at an own node [N].
+    struct Drag
+    {
+      unsigned int           node, wall;
+      dealii::Tensor<1, dim> force;
+    };
+    std::vector<Drag> drags;
 
     Vector &
     displacement()

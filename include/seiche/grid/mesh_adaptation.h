@@ -39,9 +39,10 @@ namespace seiche
     bool
     update(const unsigned int step);
 
-    /// Cells per rank by weight: largest share over the mean.
+    /// Cells per rank by weight, as the points are now: largest share over the
+    /// mean. Collective.
     double
-    imbalance() const;
+    imbalance();
 
   private:
     /// One pass of refinement and coarsening; false if nothing changed, not

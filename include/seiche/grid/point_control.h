@@ -64,6 +64,10 @@ namespace seiche
     std::vector<std::pair<std::string, double>>
     account() const;
 
+    /// The names.
+    static std::vector<std::string>
+    account_names(const PointControlParameters &parameters);
+
     /// The account and the next id. Local.
     void
     save_or_load(StateArchive &archive);

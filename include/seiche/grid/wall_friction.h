@@ -4,7 +4,6 @@
 
 #include <seiche/grid/grid_state.h>
 
-#include <utility>
 #include <vector>
 
 namespace seiche
@@ -15,8 +14,10 @@ namespace seiche
    * friction", "Obstacle NAME/Friction"; Schlichting 1979, chapter 21).
    *
    * Split from the step, at its start, and exact there: dv/dt = -k |v| v with
-   * k = c_f A/(2 V), A/V of the shape function at the wall. Stable for any dt,
-   * of first order in it. A wall that has let go of a node does not brake it.
+   * k = c_f A/(2 V), A the integral of a node's shape function over the faces
+   * that occupied cells have at the wall, V that over these cells. Stable for
+   * any dt, of first order in it. A wall that has let go of a node does not
+   * brake it.
    */
   template <int dim>
   class WallFriction
@@ -25,24 +26,38 @@ namespace seiche
     /// The reference must outlive the object.
     WallFriction(const Occupancy<dim> &occupancy);
 
-    /// Brake velocity_start, which satisfies the walls, over state.dt.
+    /// After a change of the occupied cells: find their faces at rough walls.
     /// Collective.
+    void
+    reinit();
+
+    /// Brake velocity_start, which satisfies the walls, over state.dt; sets
+    /// state.drags. Collective.
     void
     apply(GridState<dim> &state);
 
-    /// Add the drag of the last apply() [N] to state.reaction. Local.
-    void
-    add_reactions(GridState<dim> &state) const;
-
   private:
-    /// k [1/m] of the walls that hold an own node.
-    double
-    rate(const unsigned int node) const;
+    using Vector = typename GridState<dim>::Vector;
+
+    /// An own node at faces of a rough wall that are normal to a direction.
+    struct Contact
+    {
+      unsigned int node, wall, component;
+      double       rate; ///< k [1/m]
+    };
+
+    /// Brake one own node, held by contacts [begin, end).
+    void
+    brake(GridState<dim>                               &state,
+          typename std::vector<Contact>::const_iterator begin,
+          typename std::vector<Contact>::const_iterator end);
 
     const Occupancy<dim> &occupancy;
     const bool            exists;
-    /// Own nodes and the force on them in the last apply() [N].
-    std::vector<std::pair<unsigned int, dealii::Tensor<1, dim>>> drags;
+    std::vector<Contact>  contacts; ///< by node
+    /// Integral of the shape function over that of the hat with which
+    /// GridState::mass is summed, by own node; empty if both are the same.
+    std::vector<double> mass_factor;
   };
 } // namespace seiche
 

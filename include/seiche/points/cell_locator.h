@@ -50,6 +50,10 @@ namespace seiche
     void
     move(const LinePlace &place);
 
+    /// Where a place of BackgroundGrid is since then [m].
+    dealii::Point<dim>
+    moved(const dealii::Point<dim> &x) const;
+
     unsigned int
     n_owned() const
     {

@@ -106,10 +106,12 @@ namespace seiche
     remove(const std::vector<std::size_t> &dropped);
 
     /// Find the cell of every point, remove those that left through an open
-    /// side (counted), send those in cells of other ranks, sort by
-    /// (cell, id). NumericalError with id, position, speed and advice for a
-    /// point that is nowhere: behind a closed wall, not finite, or (on several
-    /// ranks) further than one cell layer from its last cell. Collective.
+    /// side (counted), put those that have cut the edge of an obstacle back
+    /// onto its nearest face (counted), send those in cells of other ranks,
+    /// sort by (cell, id). NumericalError with id, position, speed and advice
+    /// for a point that is nowhere: behind a closed wall, not finite, or (on
+    /// several ranks) further than one cell layer from its last cell.
+    /// Collective.
     void
     locate();
 
@@ -139,7 +141,14 @@ namespace seiche
     double
     outflow_mass() const
     {
-      return lost_mass;
+      return mass_of_outflow;
+    }
+
+    /// Times that a point was put back onto an obstacle, all ranks.
+    std::uint64_t
+    n_put_back() const
+    {
+      return put_back_total;
     }
 
     /// What left the domain so far, for a checkpoint (the points themselves
@@ -159,6 +168,7 @@ namespace seiche
       std::size_t n_before     = 0; ///< points before the search
       std::size_t n_outflow    = 0; ///< left through open sides
       double      outflow_mass = 0.;
+      std::size_t n_put_back   = 0; ///< onto the face of an obstacle
       std::size_t n_lost       = 0;
       std::string lost_report;   ///< of the first lost point
       bool        moved = false; ///< a point is new or changed its cell
@@ -167,6 +177,13 @@ namespace seiche
     /// Update point_cells; invalid marks points that leave this rank.
     Census
     find_cells(std::vector<std::size_t> &emigrants);
+    /// A point less than half a cell within an obstacle along which the fluid
+    /// slips: set it on the nearest face with a cell before it. Nodes on an
+    /// edge whose faces are dry are free to move to either side, so that the
+    /// field between them and the next nodes may cut the edge. The cell, or
+    /// invalid.
+    unsigned int
+    put_back(const std::size_t point);
     /// A point that is in no cell: outflow or lost.
     void
     judge_outside(const std::size_t point, Census &census) const;
@@ -196,9 +213,10 @@ namespace seiche
     std::vector<std::uint64_t>                 point_ids;
     std::vector<unsigned int>                  point_cells;
     std::vector<std::size_t>                   cell_begin;
-    std::uint64_t                              global_size = 0;
-    std::uint64_t                              outflow     = 0;
-    double                                     lost_mass   = 0.;
+    std::uint64_t                              global_size     = 0;
+    std::uint64_t                              outflow         = 0;
+    double                                     mass_of_outflow = 0.;
+    std::uint64_t                              put_back_total  = 0;
 
     // workspace of sort(), kept so that a step allocates nothing
     std::vector<std::uint32_t>    permutation;

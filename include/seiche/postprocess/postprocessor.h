@@ -38,10 +38,12 @@ namespace seiche
     dealii::Tensor<1, dim> gravity;
     /// Bulk modulus [Pa], infinity allowed.
     double bulk_modulus;
-    /// The configuration of forces and pressure is x_n + theta u.
+    /// The configuration of forces is x_n + theta u, that of the pressure
+    /// x_n + pressure_theta u.
     double       theta;
-    double       half_spacing; ///< [m] half the initial spacing of points
-    double       spacing_cell; ///< [m] smallest cell edge
+    double       pressure_theta;
+    double       half_spacing;    ///< [m] half the initial spacing of points
+    double       smallest_extent; ///< [m] smallest cell edge
     unsigned int newton_iterations = 0; ///< of this step
     unsigned int krylov_iterations = 0; ///< of this step
   };

@@ -37,9 +37,11 @@ namespace seiche
     add_parameters(dealii::ParameterHandler &prm);
 
     /// Check the parsed entries (names of columns and walls, expressions,
-    /// reference tables). InputError with place.
+    /// reference tables). @p other_columns: of the statistics, beside those
+    /// that the postprocessors add. InputError with place.
     void
-    check(const BackgroundGrid<dim> &grid) const;
+    check(const BackgroundGrid<dim>      &grid,
+          const std::vector<std::string> &other_columns) const;
 
     /// Make the postprocessors. @p directory empty: no files (validation).
     void

@@ -37,10 +37,11 @@ namespace seiche
 
   /**
    * @brief Force and moment of the fluid on walls and obstacles, from the
-   * nodal reactions of the converged step.
+   * nodal reactions of the converged step and the drag of friction.
    *
    * A component of the reaction at a node belongs to the walls that fix it,
-   * in equal parts if there are several (corners). Forces act at the nodes in
+   * in equal parts if there are several (corners); drag is known by wall and
+   * no part of a face's normal force. Forces act at the nodes in
    * the configuration of the forces, x_n + theta u. 2D: per metre of depth.
    */
   template <int dim>
@@ -75,6 +76,7 @@ namespace seiche
 
     const std::vector<ForceParameters<dim>> forces;
     const BackgroundGrid<dim>              &grid;
+    std::vector<std::vector<unsigned int>>  forces_of_wall; // by boundary id
 
     unsigned int       generation = static_cast<unsigned int>(-1);
     std::vector<Share> shares; // of this generation of the numbering

@@ -2,10 +2,7 @@
 #ifndef seiche_scene_background_grid_h
 #define seiche_scene_background_grid_h
 
-#include <seiche/scene/refinement.h>
-
-#include <deal.II/base/bounding_box.h>
-#include <deal.II/base/point.h>
+#include <seiche/scene/grid_parameters.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -14,125 +11,8 @@
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-  class ParameterHandler;
-}
-
 namespace seiche
 {
-  class InputFile;
-
-  /// What a wall does to the displacement of the fluid that touches it.
-  enum class WallCondition
-  {
-    slip,       ///< normal component fixed
-    unilateral, ///< the same, but the fluid may leave the wall
-    no_slip,    ///< all components fixed
-    open        ///< nothing fixed; points that cross it leave as outflow
-  };
-
-  /**
-   * @brief The box domain, its grid lines, walls and obstacles (prm entries).
-   */
-  template <int dim>
-  struct GridParameters
-  {
-    struct Obstacle
-    {
-      std::string        name;
-      dealii::Point<dim> lower_corner; // [m]
-      dealii::Point<dim> upper_corner; // [m]
-      WallCondition      condition = WallCondition::slip;
-      double             friction  = 0.; // skin friction coefficient [-]
-    };
-
-    dealii::Point<dim>                         lower_corner;   // [m]
-    dealii::Point<dim>                         upper_corner;   // [m]
-    double                                     cell_size = 0.; // [m], 0: unused
-    std::array<std::vector<double>, dim>       break_points;   // interior, [m]
-    std::array<std::vector<unsigned int>, dim> cells; // per segment, or empty
-    std::array<WallCondition, 2 * dim>         walls; // by boundary id
-    std::vector<Obstacle>                      obstacles;
-    RefinementParameters<dim>                  refinement;
-
-    /// Makes room for the obstacles that @p input names.
-    GridParameters(const InputFile &input);
-    /// Subsections "Grid", "Walls", "Obstacle NAME" and "Refinement NAME".
-    void
-    add_parameters(dealii::ParameterHandler &prm);
-    /// Reads the parsed strings; InputError for what makes no sense.
-    void
-    check(const InputFile &input);
-
-    /// Number of boundary ids: 2 dim + number of obstacles.
-    unsigned int
-    n_walls() const;
-
-    /// By boundary id; friction: skin friction coefficient [-].
-    WallCondition
-    wall_condition(const unsigned int id) const;
-    double
-    friction(const unsigned int id) const;
-
-    /// True if the fluid may leave some wall; if some wall has friction.
-    bool
-    any_unilateral() const;
-    bool
-    any_friction() const;
-
-    /// Text and path of the entry with a wall's velocity, by boundary id.
-    std::string
-    wall_velocity_text(const unsigned int id) const;
-    std::string
-    wall_velocity_path(const unsigned int id) const;
-
-    /// The same of the displacement of a side.
-    const std::string &
-    wall_displacement_text(const unsigned int side) const;
-    std::string
-    wall_displacement_path(const unsigned int side) const;
-
-    /// The whole box.
-    dealii::BoundingBox<dim>
-    domain() const;
-
-  private:
-    void
-    add_wall_parameters(dealii::ParameterHandler &prm);
-    void
-    check_walls(const InputFile &input);
-    void
-    check_lines(const InputFile &input, const unsigned int direction);
-    void
-    check_obstacle(const InputFile &input, const unsigned int index);
-    void
-    check_friction(const InputFile &input) const;
-    void
-    check_size(const InputFile &input) const;
-
-    // strings as parsed; one per direction or instance
-    std::array<std::string, dim>     break_points_text;
-    std::array<std::string, dim>     cells_text;
-    std::array<std::string, 2 * dim> walls_text;
-    std::array<std::string, 2 * dim> velocities_text;
-    std::array<std::string, 2 * dim> displacements_text;
-    std::array<double, 2 * dim>      walls_friction{};
-    std::string                      contact = "sticking";
-    std::string                      lower_text, upper_text;
-    struct ObstacleText
-    {
-      std::string name, lower, upper, condition = "slip", velocity;
-      double      friction = 0.;
-    };
-    std::vector<ObstacleText> obstacles_text;
-  };
-
-  /// Name of a side of the box, e.g. "left", from its boundary id.
-  template <int dim>
-  std::string
-  side_name(const unsigned int id);
-
   /// Equal cells between two grid lines of one direction.
   struct GridSegment
   {

@@ -50,14 +50,6 @@ namespace seiche
     bool
     is_constant() const;
 
-    /// True for a constant zero.
-    bool
-    is_zero() const;
-
-    /// True if t occurs.
-    bool
-    depends_on_time() const;
-
   private:
     void
     parse_and_probe(const std::string        &text,

@@ -6,7 +6,6 @@
 #include <seiche/postprocess/hdf5_reader.h>
 #include <seiche/utilities/state_archive.h>
 
-#include <functional>
 #include <map>
 #include <string>
 
@@ -55,12 +54,6 @@ namespace seiche
     {
       return reader.n_rows("id");
     }
-
-    /// Call a function with the positions of all points, in chunks.
-    template <int dim>
-    void
-    for_each_position(
-      const std::function<void(const dealii::Point<dim> &)> &use) const;
 
     /// Insert those points that lie in own cells. Every rank reads the whole
     /// file, so that nothing has to be sent. Local.

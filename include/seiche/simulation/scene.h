@@ -50,6 +50,10 @@ namespace seiche
     bool
     uses_mean_volume() const;
 
+    /// Columns of statistics.csv that Simulation sets itself, in their order.
+    std::vector<std::string>
+    simulation_columns() const;
+
     const InputFile &input;
 
     GridParameters<dim>                   grid;
