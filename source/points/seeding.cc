@@ -8,7 +8,9 @@
 #include <deal.II/base/patterns.h>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -318,6 +320,47 @@ namespace seiche
               difference[i] / (2. * step);
         }
     }
+    /// Refuses what cannot fit: half the points of the bodies' bounding boxes
+    /// against the memory of one machine a rank.
+    template <int dim>
+    void
+    check_memory(const std::vector<Body<dim>> &bodies,
+                 const double                  n_places,
+                 const InputFile              &input,
+                 const PointCloud<dim>        &points)
+    {
+      constexpr double bytes_a_point = 160.; // doc/scaling.md
+      constexpr double gib           = 1024. * 1024. * 1024.;
+      const auto       domain        = points.locator.grid.parameters.domain();
+      double           share         = 0.;
+      for (const Body<dim> &body : bodies)
+        {
+          const auto box    = body.region->bounding_box();
+          double     within = 1.;
+          for (unsigned int d = 0; d < dim; ++d)
+            within *=
+              std::max(0.,
+                       std::min(box.upper_bound(d), domain.upper_bound(d)) -
+                         std::max(box.lower_bound(d), domain.lower_bound(d))) /
+              domain.side_length(d);
+          share += within;
+        }
+      const double needed = 0.5 * share * n_places * bytes_a_point;
+      const double memory =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+        static_cast<double>(sysconf(_SC_PAGE_SIZE)) *
+        dealii::Utilities::MPI::n_mpi_processes(points.communicator);
+      input.require(needed < memory,
+                    "Points/Per cell and direction",
+                    fmt::format("cells of the highest level that hold fluid "
+                                "get this many: about {:.2g} points, {:.0f} "
+                                "GiB or more; there are {:.0f} GiB. Choose "
+                                "fewer, larger cells or smaller levels of "
+                                "refinement.",
+                                share * n_places,
+                                needed / gib,
+                                memory / gib));
+    }
   } // namespace
 
 
@@ -343,6 +386,7 @@ namespace seiche
                               "levels of refinement.",
                               n_places,
                               id_bits));
+    check_memory(made, n_places, input, points);
     Seeder<dim> seeder(parameters, made, density, points);
     for (unsigned int b = 0; b < made.size(); ++b)
       {

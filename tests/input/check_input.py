@@ -256,6 +256,11 @@ GEOMETRY = [
     Case("sound in an incompressible fluid",
          **added("subsection Time\n  set Elastic pressure = middle\nend\n"),
          line=LAST + 2, expect=['"Elastic pressure" in "Time"', "Bulk"]),
+    Case("more points than memory",
+         **added("subsection Points\n  set Per cell and direction = 8\nend\n"
+                 "subsection Refinement a\n  set Criterion = free surface\n"
+                 "  set Level = 14\nend\n"),
+         line=LAST + 2, expect=['"Per cell and direction" in "Points"', "GiB"]),
     Case("unknown refinement criterion",
          **added("subsection Refinement a\n  set Criterion = surface\nend\n"),
          line=LAST + 2, expect=['"Criterion" in "Refinement a"',
