@@ -23,7 +23,8 @@ namespace seiche
     prm.enter_subsection("Points");
     prm.add_parameter("Per cell and direction",
                       per_direction,
-                      "Material points along each edge of a full cell. [-]",
+                      "Material points along each edge of a full cell of the "
+                      "highest level of refinement. [-]",
                       dealii::Patterns::Integer(1, 100));
     prm.add_parameter("Jitter",
                       jitter,

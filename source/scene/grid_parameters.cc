@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
+#include <seiche/scene/background_grid.h>
 #include <seiche/scene/entry_values.h>
 #include <seiche/scene/grid_parameters.h>
 
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace seiche
@@ -185,12 +187,50 @@ namespace seiche
                                   "xyz"[d],
                                   largest_line<dim>));
       }
+    check_thin_cells(input);
     input.require(n_rows <= std::numeric_limits<int>::max(),
                   entry,
                   fmt::format("makes {:.3g} rows in the velocity block; at "
                               "most 2^31 - 1 are possible. Choose larger "
                               "cells.",
                               n_rows));
+  }
+
+
+
+  template <int dim>
+  void
+  GridParameters<dim>::check_thin_cells(const InputFile &input) const
+  {
+    // beside a cell so thin a step is as short as it takes to cross it; mostly
+    // a break point or a corner of an obstacle that misses another by rounding
+    constexpr double thinnest = 0.01;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const auto segments = make_segments(*this, d);
+        const auto size     = [](const GridSegment &segment) {
+          return (segment.end - segment.begin) / segment.cells;
+        };
+        const auto [thin, wide] =
+          std::minmax_element(segments.begin(),
+                              segments.end(),
+                              [&](const auto &a, const auto &b) {
+                                return size(a) < size(b);
+                              });
+        input.require(size(*thin) > thinnest * size(*wide),
+                      per_direction("Grid/Break points", d),
+                      fmt::format("cells of {:.3g} m between {:.10g} and "
+                                  "{:.10g} m in direction {} and of {:.3g} m "
+                                  "elsewhere; at least {:g} of it is needed. "
+                                  "Move the break point or the corner of an "
+                                  "obstacle there.",
+                                  size(*thin),
+                                  thin->begin,
+                                  thin->end,
+                                  "xyz"[d],
+                                  size(*wide),
+                                  thinnest));
+      }
   }
 
 

@@ -113,7 +113,9 @@ namespace seiche
         prm.add_parameter("Level",
                           criteria[i].level,
                           "Level of the cells: their edges are 2^-Level of "
-                          "those of subsection \"Grid\". [-]",
+                          "those of subsection \"Grid\". Points are seeded "
+                          "everywhere for the highest level of all criteria: "
+                          "one level more makes 2^dim times as many. [-]",
                           Integer(0, 12));
         prm.add_parameter("Layers",
                           criteria[i].layers,
@@ -153,7 +155,18 @@ namespace seiche
         criterion.places.clear();
         const std::string path = "Refinement " + criterion.name + "/";
         if (criterion.kind == RefinementKind::box)
-          read_box(input, i);
+          {
+            read_box(input, i);
+            bool inside = true;
+            for (unsigned int d = 0; d < dim; ++d)
+              inside =
+                inside &&
+                criterion.places[0].lower_bound(d) < grid.upper_corner[d] &&
+                criterion.places[0].upper_bound(d) > grid.lower_corner[d];
+            input.require(inside,
+                          path + "Lower corner",
+                          "the box lies outside of the domain.");
+          }
         else if (!criterion.follows_fluid())
           {
             input.require(criterion.distance > 0.,

@@ -106,7 +106,9 @@ namespace seiche
           }
         problems.push_back(problem);
       }
-    throw FileError("no checkpoint can be used: " + listed(problems));
+    throw FileError("no checkpoint can be used: " + listed(problems) +
+                    "\nSet changed entries back (doc/restart.md names those "
+                    "that may change), or start anew without --restart.");
   }
 
 

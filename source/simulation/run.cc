@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -49,7 +50,7 @@ namespace seiche
         scene.seeding, scene.bodies, scene.input, scene.fluid.density, points);
 
       const double steps =
-        std::ceil(scene.time.end_time / scene.time.step - 1e-9);
+        std::ceil(std::max(0., scene.time.end_time / scene.time.step - 1e-9));
       return fmt::format("{} is valid: {}D, {} cells, {} points, about {} "
                          "steps\n",
                          scene.input.filename,

@@ -256,10 +256,21 @@ GEOMETRY = [
     Case("sound in an incompressible fluid",
          **added("subsection Time\n  set Elastic pressure = middle\nend\n"),
          line=LAST + 2, expect=['"Elastic pressure" in "Time"', "Bulk"]),
+    Case("a grid line beside the face of an obstacle",
+         "  set Cell size    = 0.1",
+         "  set Cell size    = 0.1\n  set Break points x = 0.4999", line=6,
+         text=SCENE + "subsection Obstacle box\n  set Lower corner = 0.5, 0\n"
+         "  set Upper corner = 0.7, 0.2\nend\n",
+         expect=['"Break points x" in "Grid"', "0.0001 m"]),
+    Case("a box of refinement outside of the domain",
+         **added("subsection Refinement a\n  set Criterion = box\n"
+                 "  set Lower corner = 5, 5\n  set Upper corner = 6, 6\nend\n"
+                 "subsection Refinement b\n  set Criterion = fluid\nend\n"),
+         line=LAST + 3, expect=['"Lower corner" in "Refinement a"', "outside"]),
     Case("more points than memory",
          **added("subsection Points\n  set Per cell and direction = 8\nend\n"
                  "subsection Refinement a\n  set Criterion = free surface\n"
-                 "  set Level = 14\nend\n"),
+                 "  set Level = 12\nend\n"),
          line=LAST + 2, expect=['"Per cell and direction" in "Points"', "GiB"]),
     Case("unknown refinement criterion",
          **added("subsection Refinement a\n  set Criterion = surface\nend\n"),

@@ -107,6 +107,8 @@ namespace seiche
     check_friction(const InputFile &input) const;
     void
     check_size(const InputFile &input) const;
+    void
+    check_thin_cells(const InputFile &input) const;
 
     // strings as parsed; one per direction or instance
     std::array<std::string, dim>     break_points_text;
