@@ -60,6 +60,13 @@ namespace seiche
   MeshAdaptation<dim>::imbalance()
   {
     find_fluid(); // it may have moved since the mesh was last adapted
+    return imbalance_of_weights();
+  }
+
+  template <int dim>
+  double
+  MeshAdaptation<dim>::imbalance_of_weights() const
+  {
     double own = 0.;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       own += weight(cell);
@@ -73,7 +80,7 @@ namespace seiche
   MeshAdaptation<dim>::share_out(const bool at_once)
   {
     if (Utilities::MPI::n_mpi_processes(communicator) == 1 ||
-        (!at_once && imbalance() <= tolerated_imbalance))
+        (!at_once && imbalance_of_weights() <= tolerated_imbalance))
       return false;
     // a rank's cells are one run of the space-filling curve
     const auto own_cells = [&]() {
@@ -114,6 +121,10 @@ namespace seiche
   MeshAdaptation<2>::imbalance();
   template double
   MeshAdaptation<3>::imbalance();
+  template double
+  MeshAdaptation<2>::imbalance_of_weights() const;
+  template double
+  MeshAdaptation<3>::imbalance_of_weights() const;
   template bool
   MeshAdaptation<2>::share_out(const bool);
   template bool

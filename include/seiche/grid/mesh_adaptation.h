@@ -89,6 +89,10 @@ namespace seiche
     bool
     siblings_are_own(const unsigned int cell) const;
 
+    /// imbalance() with the fluid as find_fluid() saw it last. Collective.
+    double
+    imbalance_of_weights() const;
+
     /// Work in a cell, for the forest to share out.
     unsigned int
     weight(const unsigned int cell) const;
