@@ -11,7 +11,7 @@ namespace seiche
     template <int dim, int degree>
     struct PointState
     {
-      double         volume_t, J, J_1;
+      double         volume_t, strain_slope; // VolumeStrain::slope
       Tensor<2, dim> velocity_gradient, stress;
 
       PointState(const CellData<dim, degree>        &cell,
@@ -22,16 +22,18 @@ namespace seiche
         // finite kappa needs the whole volume error: no relaxation here
         const double J_n = cell.quadrature.volume_ratio[q];
         volume_t         = point.det_t * J_n * cell.quadrature.volume[q];
-        J_1              = point.det_1 * J_n;
-        J = J_1 - (1. - cell.coefficients.elastic_time) * (J_1 - J_n);
+        const VolumeStrain strain(material.volume_law,
+                                  cell.coefficients.elastic_time,
+                                  J_n,
+                                  point.det_1 * J_n);
+        strain_slope = strain.slope;
         if (cell.coefficients.viscous && !material.law.is_inviscid())
           {
             velocity_gradient =
               point.gradient(cell.rate_velocity, point.gradient_t);
             stress = material.law.stress(velocity_gradient);
           }
-        const double pressure =
-          -material.bulk_modulus * material.volume_law.strain(J);
+        const double pressure = -material.bulk_modulus * strain.value;
         for (unsigned int i = 0; i < dim; ++i)
           stress[i][i] -= pressure;
       }
@@ -106,17 +108,16 @@ namespace seiche
       {
         point.evaluate(cell, q, /*with_end=*/true);
         const PointState<dim, degree> state(cell, point, q, this->material);
-        MomentumTerms<dim, degree>::add_tangent(
-          cell,
-          point,
-          cell.quadrature.mass[q],
-          state.volume_t,
-          viscosity,
-          this->material.bulk_modulus * cell.coefficients.elastic_time *
-            state.J_1 / state.J * this->material.volume_law.slope(state.J),
-          point.gradient_1,
-          state.velocity_gradient,
-          state.stress);
+        MomentumTerms<dim, degree>::add_tangent(cell,
+                                                point,
+                                                cell.quadrature.mass[q],
+                                                state.volume_t,
+                                                viscosity,
+                                                this->material.bulk_modulus *
+                                                  state.strain_slope,
+                                                point.gradient_1,
+                                                state.velocity_gradient,
+                                                state.stress);
       }
   }
 

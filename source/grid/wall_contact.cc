@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/wall_contact.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace seiche
 {
   using namespace dealii;
@@ -35,62 +38,35 @@ namespace seiche
   {}
 
   template <int dim>
-  bool
-  WallContact<dim>::is_unilateral(const unsigned int node,
-                                  const unsigned int component) const
-  {
-    const auto &walls = occupancy.walls_at(node);
-    return std::all_of(walls.begin(), walls.end(), [&](const auto &entry) {
-      return entry.component != component ||
-             occupancy.locator.grid.wall_condition(entry.wall) ==
-               WallCondition::unilateral;
-    });
-  }
-
-  template <int dim>
   void
   WallContact<dim>::collect()
   {
-    // [own node][component]: least extent beside the wall, sides with fluid
-    std::vector<std::array<double, dim>>       extent(occupancy.n_own_nodes());
-    std::vector<std::array<unsigned int, dim>> sides(occupancy.n_own_nodes());
-    const auto                                &locator = occupancy.locator;
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      if (occupancy.is_active(cell))
-        for (const unsigned int face : GeometryInfo<dim>::face_indices())
-          {
-            const types::boundary_id wall = locator.boundary_id(cell, face);
-            const unsigned int       c    = face / 2;
-            if (wall == numbers::internal_face_boundary_id ||
-                locator.grid.wall_condition(wall) != WallCondition::unilateral)
-              continue;
-            for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-              {
-                const unsigned int node = occupancy.cell_nodes(cell)[a];
-                if (occupancy.place(a, c) != (face % 2) * occupancy.fe.degree ||
-                    occupancy.hanging().hangs(cell, a) ||
-                    node >= occupancy.n_own_nodes())
-                  continue;
-                double &least = extent[node][c];
-                least         = sides[node][c] == 0 ?
-                                  locator.extent(cell)[c] :
-                                  std::min(least, locator.extent(cell)[c]);
-                sides[node][c] |= face % 2 == 0 ? 1u : 2u;
-              }
-          }
+    const auto &locator = occupancy.locator;
     contacts.clear();
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
-        if ((sides[node][c] == 1u || sides[node][c] == 2u) &&
-            ((occupancy.dry_components(node) >> c) & 1u) == 0 &&
-            is_unilateral(node, c))
-          contacts.push_back({node,
-                              c,
-                              sides[node][c] == 1u ? 1. : -1.,
-                              extent[node][c],
-                              /*pressing=*/0.,
-                              /*margin=*/0.,
-                              /*releases=*/0});
+        {
+          bool unilateral = ((occupancy.dry_components(node) >> c) & 1u) == 0;
+          unsigned int sides  = 0;
+          double       extent = std::numeric_limits<double>::max();
+          for (const auto &entry : occupancy.walls_at(node))
+            if (entry.component == c)
+              {
+                unilateral =
+                  unilateral && locator.grid.wall_condition(entry.wall) ==
+                                  WallCondition::unilateral;
+                sides |= entry.sides;
+                extent = std::min(extent, locator.extent(entry.cell)[c]);
+              }
+          if (unilateral && (sides == 1u || sides == 2u))
+            contacts.push_back({node,
+                                c,
+                                sides == 1u ? 1. : -1.,
+                                extent,
+                                /*pressing=*/0.,
+                                /*margin=*/0.,
+                                /*releases=*/0});
+        }
   }
 
   template <int dim>

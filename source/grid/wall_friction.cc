@@ -3,6 +3,7 @@
 
 #include <deal.II/base/geometry_info.h>
 
+#include <algorithm>
 #include <map>
 
 namespace seiche
@@ -87,8 +88,18 @@ namespace seiche
       for (unsigned int d = 0; d < dim; ++d)
         if (walls.friction(wall) > 0. && (wall >= 2 * dim || wall / 2 == d))
           areas.emplace(std::make_pair(wall, d), zero);
+    const auto touches_wall = [&](const unsigned int cell) {
+      const unsigned int *nodes = occupancy.cell_nodes(cell);
+      return std::any_of(nodes,
+                         nodes + occupancy.nodes_per_cell(),
+                         [&](const unsigned int node) {
+                           return occupancy.wall_components(node) != 0;
+                         });
+    };
     for (const unsigned int cell : occupancy.occupied_cells())
       {
+        if (!touches_wall(cell))
+          continue;
         add_integrals<dim>(
           occupancy, cell, line, numbers::invalid_unsigned_int, volume);
         if (degree > 1)

@@ -15,6 +15,17 @@ namespace seiche
     template <int dim>
     constexpr unsigned int n_rotations = (dim == 2 ? 1 : 3);
 
+    /// Names of the sides of a box.
+    template <int dim>
+    std::string
+    side_names(const std::string &separator)
+    {
+      std::string names;
+      for (unsigned int side = 0; side < 2 * dim; ++side)
+        names += (side == 0 ? "" : separator) + side_name<dim>(side);
+      return names;
+    }
+
     /// Whether a node lies on that face of a box; "all" is any place.
     template <int dim>
     bool
@@ -67,20 +78,15 @@ namespace seiche
   {
     prm.add_parameter("Walls",
                       walls,
-                      "Sides of the domain (left, right, " +
-                        std::string(dim == 3 ? "front, back, " : "") +
-                        "bottom, top) and names of obstacles whose forces "
-                        "are added.",
+                      "Sides of the domain (" + side_names<dim>(", ") +
+                        ") and names of obstacles whose forces are added.",
                       Patterns::List(Patterns::Anything()),
                       /*has_to_be_set=*/true);
     prm.add_parameter("Face",
                       face,
                       "For obstacles only: count the normal force on this "
                       "face alone.",
-                      Patterns::Selection(dim == 2 ?
-                                            "all|left|right|bottom|top" :
-                                            "all|left|right|front|back|"
-                                            "bottom|top"));
+                      Patterns::Selection("all|" + side_names<dim>("|")));
     prm.add_parameter("Reference point",
                       reference_point,
                       "Point about which the moment is taken. [m]");

@@ -155,18 +155,7 @@ namespace seiche
         criterion.places.clear();
         const std::string path = "Refinement " + criterion.name + "/";
         if (criterion.kind == RefinementKind::box)
-          {
-            read_box(input, i);
-            bool inside = true;
-            for (unsigned int d = 0; d < dim; ++d)
-              inside =
-                inside &&
-                criterion.places[0].lower_bound(d) < grid.upper_corner[d] &&
-                criterion.places[0].upper_bound(d) > grid.lower_corner[d];
-            input.require(inside,
-                          path + "Lower corner",
-                          "the box lies outside of the domain.");
-          }
+          read_box(input, grid, i);
         else if (!criterion.follows_fluid())
           {
             input.require(criterion.distance > 0.,
@@ -258,8 +247,9 @@ namespace seiche
 
   template <int dim>
   void
-  RefinementParameters<dim>::read_box(const InputFile   &input,
-                                      const unsigned int index)
+  RefinementParameters<dim>::read_box(const InputFile           &input,
+                                      const GridParameters<dim> &grid,
+                                      const unsigned int         index)
   {
     const std::string path  = "Refinement " + criteria[index].name + "/";
     const auto        lower = entry_values::point<dim>(input,
@@ -269,10 +259,16 @@ namespace seiche
                                                 path + "Upper corner",
                                                 texts[index].upper);
     for (unsigned int d = 0; d < dim; ++d)
-      input.require(lower[d] < upper[d],
-                    path + "Upper corner",
-                    "must be greater than \"Lower corner\" in every "
-                    "direction.");
+      {
+        input.require(lower[d] < upper[d],
+                      path + "Upper corner",
+                      "must be greater than \"Lower corner\" in every "
+                      "direction.");
+        input.require(lower[d] < grid.upper_corner[d] &&
+                        upper[d] > grid.lower_corner[d],
+                      path + "Lower corner",
+                      "the box lies outside of the domain.");
+      }
     criteria[index].places.emplace_back(std::make_pair(lower, upper));
   }
 

@@ -30,6 +30,23 @@ namespace seiche
       return logarithmic ? 1. : J;
     }
   };
+
+  /// Volumetric strain at J_n + share (J_1 - J_n), share the time within the
+  /// step, and its derivative: dphi = slope div_1 du.
+  struct VolumeStrain
+  {
+    double value, slope;
+
+    VolumeStrain(const VolumeLaw &law,
+                 const double     share,
+                 const double     J_n,
+                 const double     J_1)
+    {
+      const double J = J_1 - (1. - share) * (J_1 - J_n);
+      value          = law.strain(J);
+      slope          = share * J_1 / J * law.slope(J);
+    }
+  };
 } // namespace seiche
 
 #endif

@@ -50,18 +50,17 @@ namespace seiche
       const double J_n = 1. + error;
       volume_n         = J_n * quadrature.volume[q];
       volume_t         = point.det_t * volume_n;
-      const double J_1 = point.det_1 * J_n;
-      const double J =
-        J_1 - (1. - cell.coefficients.elastic_time) * (J_1 - J_n);
-      J_slope =
-        cell.coefficients.elastic_time * J_1 / J * material.volume_law.slope(J);
+      const VolumeStrain strain(material.volume_law,
+                                cell.coefficients.elastic_time,
+                                J_n,
+                                point.det_1 * J_n);
+      J_slope      = strain.slope;
       rho_t        = quadrature.mass[q] / volume_t;
       acceleration = point.value(cell.acceleration);
 
       const double pressure = point.value(cell.pressure);
       pressure_gradient     = point.gradient(cell.pressure, point.gradient_t);
-      constraint =
-        material.volume_law.strain(J) + pressure / material.bulk_modulus;
+      constraint            = strain.value + pressure / material.bulk_modulus;
       const StepCoefficients &step = cell.coefficients;
       const bool viscous = step.viscous && !material.law.is_inviscid();
       if (viscous || step.rate_constraint != 0. || step.jerk_constraint != 0.)

@@ -85,9 +85,6 @@ namespace seiche
     collect();
 
     bool
-    is_unilateral(const unsigned int node, const unsigned int component) const;
-
-    bool
     is_fixed(const Contact &contact) const
     {
       return (occupancy.fixed_components(contact.node) >> contact.component) &

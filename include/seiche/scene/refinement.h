@@ -104,7 +104,9 @@ namespace seiche
     void
     read_probes(const InputFile &input, const unsigned int index);
     void
-    read_box(const InputFile &input, const unsigned int index);
+    read_box(const InputFile           &input,
+             const GridParameters<dim> &grid,
+             const unsigned int         index);
   };
 } // namespace seiche
 
