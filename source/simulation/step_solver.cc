@@ -63,7 +63,8 @@ namespace seiche
     , velocity_projection(assembler,
                           matrix,
                           linear_solver,
-                          scene.linear_solver.projection_tolerance)
+                          scene.linear_solver.projection_tolerance,
+                          scene.time.projection_sweeps)
     , residual_projection(assembler, *quadrature, occupancy)
     , newton(scene.newton,
              scene.linear_solver.tolerance,

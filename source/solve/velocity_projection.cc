@@ -19,11 +19,13 @@ namespace seiche
   VelocityProjection<dim>::VelocityProjection(Assembler<dim>    &a,
                                               BlockMatrix<dim>  &m,
                                               LinearSolver<dim> &s,
-                                              const double       t)
+                                              const double       t,
+                                              const unsigned int n)
     : assembler(a)
     , matrix(m)
     , solver(s)
     , tolerance(t)
+    , n_sweeps(n)
   {}
 
   template <int dim>
@@ -33,7 +35,8 @@ namespace seiche
                                  const Vector           &inertia_offset,
                                  const Vector           &rate_offset,
                                  BlockVector            &solution,
-                                 const double            reduction)
+                                 const double            reduction,
+                                 const bool              same_matrix)
   {
     // what walls prescribe is part of the residual, the rest is solved for
     state.solution = 0.;
@@ -48,10 +51,13 @@ namespace seiche
     BlockVector right_hand_side(state.solution), product(state.solution);
     right_hand_side.zero_out_ghost_values();
     assembler.residual(state, right_hand_side);
-    assembler.tangent(state, matrix);
+    if (!same_matrix)
+      {
+        assembler.tangent(state, matrix);
+        solver.initialize(matrix, assembler, state.mass);
+      }
     matrix.vmult(product, solution);
     right_hand_side.sadd(-1., -1., product);
-    solver.initialize(matrix, assembler, state.mass);
     BlockVector        update(state.solution);
     const LinearResult result =
       solver.solve(update, right_hand_side, reduction);
@@ -102,22 +108,40 @@ namespace seiche
     c.rate_constraint = step.start_divergence * dt * dt;
     c.viscous = c.body_force = c.damping = false;
 
-    Vector inertia_offset(state.velocity_start);
-    inertia_offset *= -1. / dt;
-    inertia_offset.update_ghost_values();
-    // from dt v_n: what is left to solve for is its violation alone
+    LinearResult result;
+    Vector       inertia_offset(state.velocity_start), impulse(state.reaction);
+    impulse = 0.;
     BlockVector guess(state.solution);
-    guess          = 0.;
-    guess.block(0) = state.velocity_start;
-    guess.block(0).zero_out_ghost_values();
-    guess.block(0) *= dt;
-    const LinearResult result =
-      solve(state, c, inertia_offset, state.velocity_start, guess, tolerance);
-    if (with_reactions)
-      find_reactions(state, guess);
-    state.velocity_start.zero_out_ghost_values();
-    state.velocity_start.equ(1. / dt, guess.block(0));
-    state.velocity_start.update_ghost_values();
+    for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
+      {
+        inertia_offset.zero_out_ghost_values();
+        inertia_offset.equ(-1. / dt, state.velocity_start);
+        inertia_offset.update_ghost_values();
+        // from dt v_n: what is left to solve for is its violation alone
+        guess = 0.;
+        guess.zero_out_ghost_values();
+        guess.block(0).equ(dt, state.velocity_start);
+        const unsigned int iterations_before = result.iterations;
+        result                               = solve(state,
+                       c,
+                       inertia_offset,
+                       state.velocity_start,
+                       guess,
+                       tolerance,
+                       /*same_matrix=*/sweep > 0);
+        result.iterations += iterations_before;
+        if (with_reactions)
+          {
+            find_reactions(state, guess);
+            impulse += state.reaction;
+            state.reaction = impulse;
+          }
+        state.velocity_start.zero_out_ghost_values();
+        state.velocity_start.equ(1. / dt, guess.block(0));
+        state.velocity_start.update_ghost_values();
+        if (!result.converged)
+          break;
+      }
     return result;
   }
 

@@ -164,6 +164,12 @@ SCENES = {
         ["Transfer/Method = affine FLIP"],
         {"p_centre_rms": 0.00052, "corner_radius_relative": 0.023,
          "ledger energy_max_relative_gain": 0.0003}),
+    "stress_small_steps_pressure": (
+        "stress/small_steps_pressure",
+        ["Time/Projection sweeps = 3",
+         "Transfer/Mass = consistent"],
+        {"p_centre_rms": 0.00034, "corner_radius_relative": 0.016,
+         "ledger energy_max_relative_gain": 0.0003}),
     "stress_sheets_meet": (
         "stress/sheets_meet",
         ["Free surface/Sliver treatment = true"],

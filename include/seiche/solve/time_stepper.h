@@ -17,13 +17,14 @@ namespace seiche
   /// prm entries of the step size (subsection "Time").
   struct TimeStepParameters
   {
-    double      end_time             = 0.;
-    double      step                 = 1.;
-    std::string control              = "fixed";
-    double      cfl                  = 0.4;
-    double      minimum_step         = 0.;
-    double      maximum_displacement = 1.;
-    std::string projection           = "each step";
+    double       end_time             = 0.;
+    double       step                 = 1.;
+    std::string  control              = "fixed";
+    double       cfl                  = 0.4;
+    double       minimum_step         = 0.;
+    double       maximum_displacement = 1.;
+    std::string  projection           = "each step";
+    unsigned int projection_sweeps    = 1;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -20,6 +20,10 @@ namespace seiche
    * would add the convective acceleration to the constraint. Without it the
    * midpoint scheme repeats every violation in v_0 with factor -rho_inf, which
    * costs pressure noise 2 rho h dv/dt.
+   *
+   * The subscales and ghost penalties of the solve leave a part of a violation
+   * that is new in this step, and the step needs an impulse for it. Each
+   * further sweep projects what the one before has left, with its matrix.
    */
   template <int dim>
   class VelocityProjection
@@ -29,7 +33,8 @@ namespace seiche
     VelocityProjection(Assembler<dim>    &assembler,
                        BlockMatrix<dim>  &matrix,
                        LinearSolver<dim> &solver,
-                       const double       tolerance);
+                       const double       tolerance,
+                       const unsigned int n_sweeps);
 
     /// A projection that stops early but has reduced the violation this much
     /// may be used: the step deals with the rest, and a shorter step would not
@@ -60,14 +65,15 @@ namespace seiche
 
     /// Solve the system that is linear about u = p = 0, starting from
     /// @p solution, until the residual has fallen by @p reduction. Components
-    /// that walls fix keep their value.
+    /// that walls fix keep their value. @p same_matrix: as in the last call.
     LinearResult
     solve(GridState<dim>         &state,
           const StepCoefficients &coefficients,
           const Vector           &inertia_offset,
           const Vector           &rate_offset,
           BlockVector            &solution,
-          const double            reduction);
+          const double            reduction,
+          const bool              same_matrix = false);
 
     /// state.reaction of the system that solve() has solved, linear about u =
     /// p = 0 as it is.
@@ -78,6 +84,7 @@ namespace seiche
     BlockMatrix<dim>  &matrix;
     LinearSolver<dim> &solver;
     const double       tolerance;
+    const unsigned int n_sweeps;
   };
 } // namespace seiche
 
