@@ -126,8 +126,8 @@ namespace seiche
                       Patterns::Double(0.));
     prm.add_parameter("Tau continuity factor",
                       continuity_factor,
-                      "Factor c_2 of tau2 = c_2 h^2/tau1; 0.1 keeps energy, 1 "
-                      "suits disordered points over long times [-]",
+                      "Factor c_2 of tau2 = c_2 h^2/tau1; 0.1 keeps energy, 5 "
+                      "suits disordered points at rest [-]",
                       Patterns::Double(0.));
     prm.add_parameter("Tau continuity modulus",
                       continuity_modulus,

@@ -15,8 +15,9 @@ namespace seiche
 
   namespace
   {
-    /// Above this ratio of stiffness to inertia A is no mass matrix any more.
-    constexpr double mass_dominated_below = 4.;
+    /// Above this ratio of stiffness to inertia A is no mass matrix any more:
+    /// measured with large tau2 and with viscosity (doc/theory.md).
+    constexpr double mass_dominated_below = 12.;
 
     /// Factors of the diagonal before ILU(0), tried in this order: the ghost
     /// penalty is no M-matrix, and without a stronger diagonal the factors of
