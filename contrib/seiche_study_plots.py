@@ -30,6 +30,8 @@ from seiche_study import Study, StudyError, evaluate, slug, text_of
 from seiche_study_results import fitted_order
 
 MARKERS = "osD^vP*Xh<>"
+# Lines that a legend within the panel can name; more are numbered, with one legend below.
+MOST_IN_PANEL = 14
 GRID_MAXIMUM = 12  # values of a setting that still make a grid
 PASSED = "#2a9d50"
 
@@ -96,6 +98,9 @@ def curves(rows, plot, quantity, x):
 def styles(rows, plot):
     """{label of a line: how it is drawn}, the same in all panels."""
     labels = dict.fromkeys(label_of(row, as_list(plot.get("line", []))) for row in rows)
+    if len(labels) > MOST_IN_PANEL:
+        return {label: {"color": f"C{i % 10}", "marker": f"${i + 1}$", "lw": 0.5, "ms": 8, "mew": 0.3}
+                for i, label in enumerate(labels)}
     return {label: {"color": f"C{i % 10}", "marker": MARKERS[i % len(MARKERS)], "lw": 1, "ms": 5,
                     "ls": "-" if i < 10 else "--"}
             for i, label in enumerate(labels)}
@@ -125,7 +130,12 @@ def draw_work(rows, plot):
         axes.set_title(title, fontsize=10)
         add_failures(axes, failed)
         axes.grid(alpha=0.3, which="both")
-        axes.legend(fontsize=7)
+        if len(style) <= MOST_IN_PANEL:
+            axes.legend(fontsize=7)
+    if len(style) > MOST_IN_PANEL:
+        handles = {label: handle for axes in all_axes
+                   for handle, label in zip(*axes.get_legend_handles_labels())}
+        figure.legend(handles.values(), handles.keys(), loc="upper center", bbox_to_anchor=(0.5, 0), fontsize=7, ncol=5)
     return figure
 
 

@@ -97,9 +97,8 @@ namespace seiche
     prm.add_parameter("Projection updates",
                       projection_updates,
                       "OSGS: Newton iterations of a step after which the "
-                      "residual is projected again; 0: at the first guess of "
-                      "the step only [-]",
-                      Patterns::Integer(0));
+                      "residual is projected again; 1: once a step [-]",
+                      Patterns::Integer(1));
     prm.add_parameter("Projection mass",
                       projection_mass,
                       "OSGS: mass matrix of the projection [-]",
