@@ -59,11 +59,11 @@ namespace seiche
       Hybrid(const PointCloud<dim> &points,
              const Fill<dim>       &fill,
              const double           density,
-             const bool             incompressible)
+             const GaussRatio       ratio)
         : points(points)
         , fill(fill)
         , density(density)
-        , incompressible(incompressible)
+        , ratio(ratio)
         , material_points(points)
         , gauss(fill.occupancy.fe.degree + 1)
       {}
@@ -79,18 +79,16 @@ namespace seiche
         if (weight > 0.)
           {
             const double      measure = points.locator.measure(cell);
-            const LinearRatio J =
-              incompressible ? LinearRatio() : fit_ratio(cell);
+            const LinearRatio J       = ratio_of(cell);
             for (unsigned int q = 0; q < gauss.size(); ++q)
               {
                 // the cell is the volume at t_n: V0 = V_n/J_n
-                const double ratio = J.value(gauss.point(q));
-                const double volume =
-                  weight * measure * gauss.weight(q) / ratio;
+                const double J_q    = J.value(gauss.point(q));
+                const double volume = weight * measure * gauss.weight(q) / J_q;
                 quadrature.push_back(gauss.point(q),
                                      density * volume,
                                      volume,
-                                     ratio);
+                                     J_q);
               }
           }
       }
@@ -113,10 +111,12 @@ namespace seiche
       /// Least squares, weighted by V0: a constant would jump, by the
       /// gradient, whenever a point crosses a face.
       LinearRatio
-      fit_ratio(const unsigned int cell) const
+      ratio_of(const unsigned int cell) const
       {
+        if (ratio == GaussRatio::one)
+          return {};
         const double *volume = points.data(PointColumn::initial_volume);
-        const double *ratio  = points.data(PointColumn::volume_ratio);
+        const double *J_p    = points.data(PointColumn::volume_ratio);
         const auto    begin  = points.first_point(cell),
                    end       = points.first_point(cell + 1);
         const auto unit      = [&](const std::size_t p) {
@@ -130,13 +130,15 @@ namespace seiche
         for (std::size_t p = begin; p < end; ++p)
           {
             total += volume[p];
-            sum += volume[p] * ratio[p];
+            sum += volume[p] * J_p[p];
             center += volume[p] * (unit(p) - Point<dim>());
-            J.least   = std::min(J.least, ratio[p]);
-            J.largest = std::max(J.largest, ratio[p]);
+            J.least   = std::min(J.least, J_p[p]);
+            J.largest = std::max(J.largest, J_p[p]);
           }
         J.mean   = sum / total;
         J.center = Point<dim>() + center / total;
+        if (ratio == GaussRatio::mean)
+          return J;
 
         Tensor<2, dim> moment;
         Tensor<1, dim> product;
@@ -145,7 +147,7 @@ namespace seiche
             const Tensor<1, dim> arm    = unit(p) - J.center;
             const double         weight = volume[p] / total;
             moment += weight * outer_product(arm, arm);
-            product += weight * (ratio[p] - J.mean) * arm;
+            product += weight * (J_p[p] - J.mean) * arm;
           }
         // a uniform cell has 1/12 on the diagonal
         if (determinant(moment) > 0.1 * std::pow(1. / 12., dim))
@@ -156,7 +158,7 @@ namespace seiche
       const PointCloud<dim>    &points;
       const Fill<dim>          &fill;
       const double              density;
-      const bool                incompressible;
+      const GaussRatio          ratio;
       const MaterialPoints<dim> material_points;
       const QGauss<dim>         gauss;
     };
@@ -192,13 +194,10 @@ namespace seiche
                   const PointCloud<dim>      &points,
                   const Fill<dim>            &fill,
                   const double                density,
-                  const bool                  incompressible)
+                  const GaussRatio            ratio)
   {
     if (parameters.gauss_in_full_cells())
-      return std::make_unique<Hybrid<dim>>(points,
-                                           fill,
-                                           density,
-                                           incompressible);
+      return std::make_unique<Hybrid<dim>>(points, fill, density, ratio);
     return std::make_unique<MaterialPoints<dim>>(points);
   }
 
@@ -209,7 +208,7 @@ namespace seiche
     const PointCloud<dim> &,                                      \
     const Fill<dim> &,                                            \
     const double,                                                 \
-    const bool);
+    const GaussRatio);
   INSTANTIATE(2)
   INSTANTIATE(3)
 } // namespace seiche

@@ -42,7 +42,9 @@ namespace seiche
                                  points,
                                  fill,
                                  scene.fluid.density,
-                                 is_incompressible))
+                                 is_incompressible        ? GaussRatio::one :
+                                 scene.uses_mean_volume() ? GaussRatio::linear :
+                                                            GaussRatio::mean))
     , wall_velocity(scene.grid, scene.input)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
     , dry_edges(occupancy)

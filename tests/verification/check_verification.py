@@ -204,6 +204,32 @@ SCENES = {
         ["Formulation/Tau continuity factor = 0.1"],
         {"p_base": 0.13, "height": 0.075,
          "ledger energy_max_relative_gain": 0.018}),
+    # single runs of the stability maps that failed once
+    # (J of Gauss points with a slope within the cell)
+    "map_soft_2d": (
+        "studies/column_2d",
+        ["Fluid/Density = 1990.673339",
+         "Fluid/Dynamic viscosity = 0.1612501027",
+         "Fluid/Bulk modulus = 39057.01091",
+         "Points/Per cell and direction = 5",
+         "Points/Jitter = 0.3",
+         "Points/Seed = 7",
+         "Time/CFL number = 0.08015",
+         "Time/Step = 0.00200375",
+         "Formulation/Name = displacement-pressure"],
+        {"ledger energy_max_relative_gain": 0.02}),
+    "map_irreducible_3d": (
+        "studies/column_3d",
+        ["Fluid/Density = 3.010925432",
+         "Fluid/Dynamic viscosity = 0.0001845015419",
+         "Fluid/Bulk modulus = 30490.27072",
+         "Points/Per cell and direction = 5",
+         "Points/Jitter = 0.3",
+         "Points/Seed = 7",
+         "Time/CFL number = 0.06976",
+         "Time/Step = 0.003488",
+         "Formulation/Name = displacement"],
+        {"ledger energy_max_relative_gain": 0.02}),
     "stress_stretched_lattice": (
         "stress/stretched_lattice",
         ["Points/Per cell and direction = 10"],

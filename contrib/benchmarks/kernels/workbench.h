@@ -60,7 +60,7 @@ struct Workbench : ParsedScene<dim>
                                          points,
                                          fill,
                                          scene.fluid.density,
-                                         /*incompressible=*/true))
+                                         seiche::GaussRatio::one))
     , body_force(scene.body_force, scene.input)
     , wall_motion(scene.grid, scene.input, scene.time.end_time)
     , wall_velocity(scene.grid, scene.input)

@@ -96,18 +96,29 @@ namespace seiche
     get(const unsigned int cell, CellQuadrature<dim> &quadrature) const = 0;
   };
 
+  /// Volume ratio J_n of the Gauss points of a cell.
+  enum class GaussRatio
+  {
+    one,  ///< the fluid is incompressible
+    mean, ///< V0-weighted mean of the cell's points
+    /// linear fit to the cell's points, for volumes that follow nodal means: of
+    /// second order. With volumes that follow the points' own gradients, whose
+    /// linear part in a cell no equation controls, soft fluids are unstable
+    /// (doc/methods.md, "Stability").
+    linear
+  };
+
   /// The table of rules: "material points" (the founding paper's) and
   /// "hybrid" (Gauss points in full cells, both in cells near the surface,
-  /// weighted by Fill). @p incompressible: volume_ratio of Gauss points is
-  /// one, otherwise the V0-weighted mean of the cell's points. References must
-  /// outlive the object.
+  /// weighted by Fill). @p ratio: what Gauss points have as volume_ratio.
+  /// References must outlive the object.
   template <int dim>
   std::unique_ptr<Quadrature<dim>>
   make_quadrature(const QuadratureParameters &parameters,
                   const PointCloud<dim>      &points,
                   const Fill<dim>            &fill,
                   const double                density,
-                  const bool                  incompressible);
+                  const GaussRatio            ratio);
 } // namespace seiche
 
 #endif
