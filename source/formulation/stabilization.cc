@@ -97,7 +97,8 @@ namespace seiche
     prm.add_parameter("Projection updates",
                       projection_updates,
                       "OSGS: Newton iterations of a step after which the "
-                      "residual is projected again; 1: once a step [-]",
+                      "residual is projected again; at the first guess it "
+                      "always is [-]",
                       Patterns::Integer(1));
     prm.add_parameter("Projection mass",
                       projection_mass,

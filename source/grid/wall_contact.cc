@@ -94,10 +94,11 @@ namespace seiche
         contact.pressing =
           std::max(0., state.pressure_guess.local_element(contact.node)) *
           mass / density * 2. * occupancy.fe.degree / contact.extent;
-        contact.releases = 0;
-        const double velocity =
-          contact.inward * state.velocity_n.local_element(dim * contact.node +
-                                                          contact.component);
+        contact.releases     = 0;
+        const unsigned int i = dim * contact.node + contact.component;
+        const double       velocity =
+          contact.inward * (state.velocity_n.local_element(i) -
+                            conditions.velocity(i, state.time, state.dt));
         occupancy.set_released(contact.node,
                                contact.component,
                                mass * velocity / state.dt >

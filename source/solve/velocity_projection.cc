@@ -121,15 +121,21 @@ namespace seiche
         guess = 0.;
         guess.zero_out_ghost_values();
         guess.block(0).equ(dt, state.velocity_start);
-        const unsigned int iterations_before = result.iterations;
-        result                               = solve(state,
-                       c,
-                       inertia_offset,
-                       state.velocity_start,
-                       guess,
-                       tolerance,
-                       /*same_matrix=*/sweep > 0);
-        result.iterations += iterations_before;
+        LinearResult now = solve(state,
+                                 c,
+                                 inertia_offset,
+                                 state.velocity_start,
+                                 guess,
+                                 tolerance,
+                                 /*same_matrix=*/sweep > 0);
+        now.iterations += result.iterations;
+        if (sweep > 0 && !now.converged)
+          {
+            // what the sweeps before have reached is good enough
+            result.iterations = now.iterations;
+            break;
+          }
+        result = now;
         if (with_reactions)
           {
             find_reactions(state, guess);
@@ -139,8 +145,6 @@ namespace seiche
         state.velocity_start.zero_out_ghost_values();
         state.velocity_start.equ(1. / dt, guess.block(0));
         state.velocity_start.update_ghost_values();
-        if (!result.converged)
-          break;
       }
     return result;
   }

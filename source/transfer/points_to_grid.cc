@@ -385,6 +385,9 @@ namespace seiche
       {
         mass.right_hand_side(PointColumn::acceleration, momentum);
         mass.solve(state.acceleration_n, momentum);
+        occupancy.for_each_fixed([&](const unsigned int i) {
+          state.acceleration_n.local_element(i) = 0.;
+        });
         state.acceleration_n.update_ghost_values();
       }
   }

@@ -41,7 +41,7 @@ SCENES = {
     "elliptic_drop": (
         "verification/elliptic_drop",
         [],
-        {"axis_a": 0.0027, "axis_b": 0.0024, "p_centre": 0.0026}),
+        {"axis_a": 0.0027, "axis_b": 0.0024, "p_centre": 0.0018}),
     "oscillating_drop": (
         "verification/oscillating_drop",
         ["Grid/Cell size = 0.1",
@@ -74,7 +74,7 @@ SCENES = {
     "taylor_green": (
         "verification/taylor_green",
         [],
-        {"velocity_l2": 0.0021, "pressure_l2": 0.022,
+        {"velocity_l2": 0.0021, "pressure_l2": 0.0143,
          "velocity_points": 0.002}),
     "taylor_green_backward_euler": (
         "verification/taylor_green",
@@ -97,7 +97,7 @@ SCENES = {
     "taylor_green_3d": (
         "verification/taylor_green_3d",
         [],
-        {"velocity_l2": 0.0021, "pressure_l2": 0.022}),
+        {"velocity_l2": 0.0021, "pressure_l2": 0.0143}),
     "poiseuille_startup": (
         "verification/poiseuille_startup",
         [],
@@ -135,11 +135,11 @@ SCENES = {
     "manufactured_2d": (
         "verification/manufactured_2d",
         [],
-        {"velocity_l2": 0.0047, "pressure_l2": 0.019}),
+        {"velocity_l2": 0.0042, "pressure_l2": 0.0125}),
     "manufactured_3d": (
         "verification/manufactured_3d",
         [],
-        {"velocity_l2": 0.01, "pressure_l2": 0.026}),
+        {"velocity_l2": 0.0097, "pressure_l2": 0.0165}),
     "manufactured_compressible": (
         "verification/manufactured_compressible",
         [],
