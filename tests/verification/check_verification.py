@@ -59,6 +59,11 @@ SCENES = {
         "verification/hydrostatic_disordered",
         [],
         {"pressure": 0.00087, "speed": 0.0074}),
+    "hydrostatic_column": (
+        "benchmarks/hydrostatic_column/hydrostatic_column",
+        ["Output/Interval = 0"],
+        {"pressure_rms": 0.0026, "speed_max": 0.0033,
+         "volume_low": 0.014, "volume_high": 0.014}),
     "hydrostatic_3d": (
         "verification/hydrostatic_3d",
         [],
