@@ -108,8 +108,8 @@ namespace seiche
         }
       };
 
-      /// Least squares, weighted by V0: a constant would jump, by the
-      /// gradient, whenever a point crosses a face.
+      /// J_n as GaussRatio says. Linear: least squares, weighted by V0 (the
+      /// mean jumps, by the gradient, whenever a point crosses a face).
       LinearRatio
       ratio_of(const unsigned int cell) const
       {
