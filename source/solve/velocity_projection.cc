@@ -109,9 +109,9 @@ namespace seiche
     c.viscous = c.body_force = c.damping = false;
 
     LinearResult result;
-    Vector       inertia_offset(state.velocity_start), impulse(state.reaction);
-    impulse = 0.;
-    BlockVector guess(state.solution);
+    Vector       inertia_offset(state.velocity_start.get_partitioner());
+    Vector       impulse(state.reaction.get_partitioner()); // of all sweeps
+    BlockVector  guess(state.solution);
     for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
       {
         inertia_offset.zero_out_ghost_values();
@@ -121,21 +121,21 @@ namespace seiche
         guess = 0.;
         guess.zero_out_ghost_values();
         guess.block(0).equ(dt, state.velocity_start);
-        LinearResult now = solve(state,
-                                 c,
-                                 inertia_offset,
-                                 state.velocity_start,
-                                 guess,
-                                 tolerance,
-                                 /*same_matrix=*/sweep > 0);
-        now.iterations += result.iterations;
-        if (sweep > 0 && !now.converged)
+        const LinearResult now = solve(state,
+                                       c,
+                                       inertia_offset,
+                                       state.velocity_start,
+                                       guess,
+                                       tolerance,
+                                       /*same_matrix=*/sweep > 0);
+        result.iterations += now.iterations;
+        if (sweep == 0)
           {
-            // what the sweeps before have reached is good enough
-            result.iterations = now.iterations;
-            break;
+            result.converged = now.converged;
+            result.reduction = now.reduction;
           }
-        result = now;
+        else if (!now.converged)
+          break; // what the sweeps before have reached is good enough
         if (with_reactions)
           {
             find_reactions(state, guess);

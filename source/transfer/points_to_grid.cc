@@ -291,7 +291,7 @@ namespace seiche
 
 
 
-    /// Sums to means; accelerations that walls fix are zero. Own nodes.
+    /// Sums to means. Own nodes.
     template <int dim>
     void
     divide_by_mass(const Occupancy<dim> &occupancy,
@@ -304,15 +304,13 @@ namespace seiche
       double       *acceleration = state.acceleration_n.begin();
       for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
         {
-          const double       inverse = mass[node] > 0. ? 1. / mass[node] : 0.;
-          const unsigned int fixed   = occupancy.fixed_components(node);
+          const double inverse = mass[node] > 0. ? 1. / mass[node] : 0.;
           pressure[node] *= inverse;
           for (unsigned int c = 0; c < dim; ++c)
             {
               velocity[dim * node + c] *= inverse;
               if (with_acceleration)
-                acceleration[dim * node + c] *=
-                  (fixed >> c) & 1u ? 0. : inverse;
+                acceleration[dim * node + c] *= inverse;
             }
         }
     }
@@ -350,6 +348,13 @@ namespace seiche
     for (Vector *vector : sums)
       vector->update_ghost_values();
     improve_velocity(points, state);
+    if (with_acceleration)
+      {
+        occupancy.for_each_fixed([&](const unsigned int i) {
+          state.acceleration_n.local_element(i) = 0.;
+        });
+        state.acceleration_n.update_ghost_values();
+      }
   }
 
 
@@ -385,10 +390,6 @@ namespace seiche
       {
         mass.right_hand_side(PointColumn::acceleration, momentum);
         mass.solve(state.acceleration_n, momentum);
-        occupancy.for_each_fixed([&](const unsigned int i) {
-          state.acceleration_n.local_element(i) = 0.;
-        });
-        state.acceleration_n.update_ghost_values();
       }
   }
 

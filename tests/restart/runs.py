@@ -84,10 +84,9 @@ def descendants(pid):
                 children.setdefault(parent, []).append(int(entry))
             except (OSError, ValueError):
                 pass
-    found, todo = [], [pid]
-    while todo:
-        todo += children.get(todo[0], [])
-        found.append(todo.pop(0))
+    found = [pid]
+    for process in found:  # grows as it is gone through
+        found += children.get(process, [])
     return found
 
 
