@@ -53,7 +53,7 @@ def panels(number, lower, upper, directions):
     ratio = (upper[directions[1]] - lower[directions[1]]) / (
         upper[directions[0]] - lower[directions[0]]
     )
-    across = 1 if ratio < 0.3 else 2
+    across = 1 if ratio < 0.3 or number == 1 else 2
     rows = -(-number // across)
     figure, axes = plt.subplots(
         rows,
