@@ -41,7 +41,7 @@ ALWAYS = {  # columns of every study
     "krylov_iterations": "krylov_iterations",
     "end_time": "last(time [s])",
 }
-OUTCOME = ["exit_code", "cause", "message", "wall_seconds"]
+OUTCOME = ["exit_code", "cause", "message", "program", "wall_seconds"]
 
 
 class StudyError(Exception):
@@ -302,7 +302,7 @@ class Study:
         statistics, summary = read_statistics(folder), read_summary(folder)
         code = outcome["exit_code"]
         row.update(exit_code=code, message=outcome.get("message", ""), cause=cause(outcome),
-                   wall_seconds=outcome.get("wall_seconds"))
+                   program=outcome.get("program"), wall_seconds=outcome.get("wall_seconds"))
         derived = {}
         for name, source in self.columns.items():
             if "{" in source:

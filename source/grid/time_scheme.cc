@@ -198,24 +198,29 @@ namespace seiche
     struct SchemeEntry
     {
       const char *name;
-      std::unique_ptr<TimeScheme<dim>> (*make)(const TimeSchemeParameters &);
+      std::unique_ptr<TimeScheme<dim>> (*make)(const TimeSchemeParameters &,
+                                               const bool is_incompressible);
     };
 
     template <int dim>
     constexpr std::array<SchemeEntry<dim>, 3> scheme_table = {
       {{"generalized midpoint",
-        [](const TimeSchemeParameters &p) -> std::unique_ptr<TimeScheme<dim>> {
+        [](const TimeSchemeParameters &p,
+           const bool is_incompressible) -> std::unique_ptr<TimeScheme<dim>> {
           return std::make_unique<GeneralizedMidpoint<dim>>(
             p.rho_infinity,
-            p.pressure_order == "second" && p.rho_infinity == 1.,
+            p.pressure_order == "second" && p.rho_infinity == 1. &&
+              is_incompressible,
             p.elastic_pressure == "end");
         }},
        {"bossak",
-        [](const TimeSchemeParameters &p) -> std::unique_ptr<TimeScheme<dim>> {
+        [](const TimeSchemeParameters &p,
+           const bool) -> std::unique_ptr<TimeScheme<dim>> {
           return std::make_unique<Bossak<dim>>(p.bossak_alpha);
         }},
        {"newmark",
-        [](const TimeSchemeParameters &) -> std::unique_ptr<TimeScheme<dim>> {
+        [](const TimeSchemeParameters &,
+           const bool) -> std::unique_ptr<TimeScheme<dim>> {
           return std::make_unique<Bossak<dim>>(0.);
         }}}};
 
@@ -254,9 +259,10 @@ namespace seiche
                       pressure_order,
                       "Order in the step of the pressure of the generalized "
                       "midpoint scheme with Rho infinity = 1 (below 1 all is "
-                      "of first order). second: the constraint leaves the "
-                      "velocity at the end of the step without divergence; "
-                      "first: it keeps the volume of the step's own path",
+                      "of first order) with infinite Bulk modulus. second: the "
+                      "constraint leaves the velocity at the end of the step "
+                      "without divergence; first: it keeps the volume of the "
+                      "step's own path",
                       Patterns::Selection("first|second"));
     prm.add_parameter("Elastic pressure",
                       elastic_pressure,
@@ -287,11 +293,12 @@ namespace seiche
 
   template <int dim>
   std::unique_ptr<TimeScheme<dim>>
-  make_time_scheme(const TimeSchemeParameters &parameters)
+  make_time_scheme(const TimeSchemeParameters &parameters,
+                   const bool                  is_incompressible)
   {
     for (const auto &entry : scheme_table<dim>)
       if (parameters.scheme == entry.name)
-        return entry.make(parameters);
+        return entry.make(parameters, is_incompressible);
     AssertThrow(false, ExcInternalError()); // the pattern refuses other names
     return nullptr;
   }
@@ -299,7 +306,7 @@ namespace seiche
   template class TimeScheme<2>;
   template class TimeScheme<3>;
   template std::unique_ptr<TimeScheme<2>>
-  make_time_scheme<2>(const TimeSchemeParameters &);
+  make_time_scheme<2>(const TimeSchemeParameters &, const bool);
   template std::unique_ptr<TimeScheme<3>>
-  make_time_scheme<3>(const TimeSchemeParameters &);
+  make_time_scheme<3>(const TimeSchemeParameters &, const bool);
 } // namespace seiche

@@ -2,11 +2,20 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/scene/wall_velocity.h>
 
+#include <fmt/format.h>
+
 namespace seiche
 {
+  namespace
+  {
+    /// Times at which a velocity is looked at before the run.
+    constexpr unsigned int n_samples = 1000;
+  } // namespace
+
   template <int dim>
   WallVelocity<dim>::WallVelocity(const GridParameters<dim> &parameters,
-                                  const InputFile           &input)
+                                  const InputFile           &input,
+                                  const double               end_time)
   {
     expressions.resize(parameters.n_walls());
     for (unsigned int wall = 0; wall < expressions.size(); ++wall)
@@ -30,10 +39,16 @@ namespace seiche
           centre[wall / 2] =
             wall % 2 == 0 ? box.first[wall / 2] : box.second[wall / 2];
         expressions[wall].emplace(input, path, text, dim, centre);
-        input.require(!is_side || value(wall, centre, /*t=*/0.)[wall / 2] == 0.,
-                      path,
-                      "the wall moves along itself only: its normal component "
-                      "must be 0.");
+        for (unsigned int i = 0; is_side && i <= n_samples; ++i)
+          {
+            const double t = i * end_time / n_samples;
+            input.require(value(wall, centre, t)[wall / 2] == 0.,
+                          path,
+                          fmt::format("the wall moves along itself only: its "
+                                      "normal component must be 0, also at "
+                                      "t = {:.4g} s.",
+                                      t));
+          }
       }
   }
 

@@ -73,7 +73,7 @@ namespace seiche
   Scene<dim>::check(const InputFile &input_file)
   {
     grid.check(input_file);
-    (void)WallVelocity<dim>(grid, input_file);
+    (void)WallVelocity<dim>(grid, input_file, time.end_time);
     const WallMotion<dim> wall_motion(grid, input_file, time.end_time);
     body_force.check(input_file);
     fluid.check(input_file);

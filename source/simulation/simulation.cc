@@ -23,7 +23,8 @@ namespace seiche
     , wall_motion(scene.grid, scene.input, scene.time.end_time)
     , grid(scene.grid, communicator)
     , locator(grid)
-    , time_scheme(make_time_scheme<dim>(scene.time_scheme))
+    , time_scheme(make_time_scheme<dim>(scene.time_scheme,
+                                        std::isinf(scene.fluid.bulk_modulus)))
     , formulation(make_formulation<dim>(scene.formulation, scene.material()))
     , points(locator, point_columns(), communicator)
     , seeding(fill_points(start))

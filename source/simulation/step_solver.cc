@@ -45,7 +45,7 @@ namespace seiche
                                  is_incompressible        ? GaussRatio::one :
                                  scene.uses_mean_volume() ? GaussRatio::linear :
                                                             GaussRatio::mean))
-    , wall_velocity(scene.grid, scene.input)
+    , wall_velocity(scene.grid, scene.input, scene.time.end_time)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
     , dry_edges(occupancy)
     , wall_friction(occupancy)

@@ -135,6 +135,12 @@ namespace seiche
                   "Transfer/Method",
                   "the series of XPIC and FMPM need Formulation/Element degree "
                   "= 1; with degree 2 use Transfer/Mass = consistent");
+    input.require(!is_consistent(degree) || (update != VelocityUpdate::xpic &&
+                                             update != VelocityUpdate::fmpm),
+                  "Transfer/Mass",
+                  "the series of XPIC and FMPM come near to the consistent "
+                  "mass, with which Transfer/Order is without effect: set it "
+                  "to lumped, or another Method");
     input.require(!is_consistent(degree) || points_per_direction > degree,
                   "Points/Per cell and direction",
                   fmt::format("the consistent mass of elements of degree {} "

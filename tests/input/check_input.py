@@ -206,6 +206,14 @@ VALUES = [
          **added("subsection Walls\n  set Left = open\n"
                  "  set Left displacement = t\nend\n"),
          line=LAST + 3, expect=['"Left displacement" in "Walls"', "open"]),
+    Case("wall that leaves its place after a while",
+         **added("subsection Walls\n  set Left = no-slip\n"
+                 "  set Left velocity = t*(t>0.01); 1\nend\n"),
+         line=LAST + 3, expect=['"Left velocity" in "Walls"', "t = 0.01"]),
+    Case("series with the mass that it stands for",
+         **added("subsection Transfer\n  set Method = FMPM\n"
+                 "  set Mass = consistent\nend\n"),
+         line=LAST + 3, expect=['"Mass" in "Transfer"', "lumped"]),
     Case("step zero", "= 0.01", "= 0", expect=['"Step" in "Time"']),
     Case("negative end time", "= 0.02", "= -1",
          expect=['"End time" in "Time"']),

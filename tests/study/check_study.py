@@ -89,6 +89,16 @@ def resume(seiche, folder):
     assert outcomes(folder)["short"] == first, "a finished variant was run again"
     assert "3 variants, 0 to be run" in run(seiche, folder, "--no-plots")
 
+    # another build runs them again, if it is not told otherwise
+    other = pathlib.Path(folder, "seiche")
+    other.write_bytes(pathlib.Path(seiche).read_bytes() + b"\0")
+    other.chmod(0o755)
+    assert "3 to be run" in run(str(other), folder, "--dry-run")
+    assert "0 to be run" in run(str(other), folder, "--dry-run", "--any-program")
+    run(str(other), folder, "--no-plots", "--only", "short")
+    assert [row["program"] == read_table(folder)[1]["program"]
+            for row in read_table(folder)] == [False, True, True]
+
     rows = read_table(folder)
     assert [row["variant"] for row in rows] == ["short", "long", "failing"]
     header = list(rows[0])

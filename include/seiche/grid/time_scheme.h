@@ -100,9 +100,11 @@ namespace seiche
   };
 
   /// The table of schemes: newmark, bossak, generalized midpoint.
+  /// @p is_incompressible: infinite bulk modulus.
   template <int dim>
   std::unique_ptr<TimeScheme<dim>>
-  make_time_scheme(const TimeSchemeParameters &parameters);
+  make_time_scheme(const TimeSchemeParameters &parameters,
+                   const bool                  is_incompressible);
 } // namespace seiche
 
 #endif

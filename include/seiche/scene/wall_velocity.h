@@ -20,8 +20,10 @@ namespace seiche
   public:
     /// @p input must outlive the object. Throws InputError for what is no
     /// expression, for walls that are not no-slip, and for motion normal to a
-    /// side of the domain at the start.
-    WallVelocity(const GridParameters<dim> &parameters, const InputFile &input);
+    /// side of the domain at its centre, at times up to @p end_time [s].
+    WallVelocity(const GridParameters<dim> &parameters,
+                 const InputFile           &input,
+                 const double               end_time);
 
     /// True if some wall has an expression.
     bool
