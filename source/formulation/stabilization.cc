@@ -14,7 +14,7 @@ namespace seiche
   namespace
   {
     /// K_num at most, in h^2/tau1: more costs Krylov iterations and gains
-    /// nothing (doc/theory.md, "Linear systems").
+    /// nothing.
     constexpr double largest_modulus = 2.;
 
     /// c_1 2 mu c_r k^4/h^2.

@@ -16,7 +16,7 @@ namespace seiche
   namespace
   {
     /// Above this ratio of stiffness to inertia A is no mass matrix any more:
-    /// measured with large tau2 and with viscosity (doc/theory.md).
+    /// measured with large tau2 and with viscosity (doc/performance.md).
     constexpr double mass_dominated_below = 12.;
 
     /// Factors of the diagonal before ILU(0), tried in this order: the ghost
@@ -34,7 +34,7 @@ namespace seiche
 
     /// Least volume of a node [(smallest edge/degree)^dim] for the viscous
     /// part of S^-1, which divides by it: a point on a grid line gives nodes
-    /// beyond it 1e-50 of one. Measured, doc/theory.md.
+    /// beyond it 1e-50 of one. Measured, doc/performance.md.
     constexpr double least_volume = 0.1;
 
     /// A shift that makes the singular Laplacian of a closed box definite.

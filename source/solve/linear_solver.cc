@@ -17,8 +17,8 @@ namespace seiche
   namespace
   {
     /// Systems with fewer unknowns (all ranks) are factorised. Measured, see
-    /// doc/theory.md; a function of the global size only, so that all rank
-    /// counts choose alike.
+    /// doc/performance.md; a function of the global size only, so that all
+    /// rank counts choose alike.
     constexpr types::global_dof_index direct_below = 250;
 
     /// Smaller systems that the iteration fails on are factorised: about a
