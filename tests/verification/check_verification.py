@@ -24,6 +24,8 @@ sys.path.insert(0, str(PRM / "verification"))
 import cavity_profiles  # noqa: E402
 import wave_fit  # noqa: E402
 
+STOPPED = 3  # exit code: no step size helps
+
 
 class Runner:
     """Runs scenes, each in a folder of its own."""
@@ -32,8 +34,8 @@ class Runner:
         self.seiche = str(pathlib.Path(seiche).resolve())
         self.folder, self.count = folder, 0
 
-    def run(self, scene, settings):
-        """Output folder and summary of a run."""
+    def run(self, scene, settings, may_stop=False):
+        """Output folder and summary of a run; (None, None) if it stopped."""
         self.count += 1
         output = f"{self.folder}/{self.count}"
         command = [self.seiche, str(PRM / f"{scene}.prm"), "--output", output]
@@ -42,6 +44,8 @@ class Runner:
         # solvers that fail may leave files where they run
         process = subprocess.run(command, stdout=subprocess.PIPE, text=True,
                                  stderr=subprocess.STDOUT, cwd=self.folder)
+        if may_stop and process.returncode == STOPPED:
+            return None, None
         assert process.returncode == 0, (
             f"{scene} {settings}: exit code {process.returncode}\n"
             f"{process.stdout}")
@@ -71,7 +75,8 @@ def size(summary, name):
     return abs(entry)
 
 
-def check_scene(runner, scene, limits, settings=(), cure=(), scores=None):
+def check_scene(runner, scene, limits, settings=(), cure=(), uncured=None,
+                scores=None):
     output, summary = runner.run(scene, [*settings, *cure])
     if scores:
         summary["errors"] = globals()[scores](output)
@@ -82,6 +87,24 @@ def check_scene(runner, scene, limits, settings=(), cure=(), scores=None):
         if not measured <= limit:
             failed.append(name)
     assert not failed, f"{scene}: {', '.join(failed)} above the limit"
+    if uncured:
+        check_uncured(runner, scene, settings, uncured)
+
+
+def check_uncured(runner, scene, settings, least):
+    """The failure is there: otherwise the test of the cure shows nothing."""
+    _, summary = runner.run(scene, settings, may_stop=True)
+    if summary is None:
+        print(f"{scene} without the cure: stopped")
+        return
+    missed = []
+    for name, limit in least.items():
+        measured = size(summary, name)
+        print(f"{scene} without the cure, {name}: {measured:.3g}, "
+              f"fails above {limit:.3g}")
+        if measured <= limit:
+            missed.append(name)
+    assert not missed, f"{scene}: no failure without the cure ({missed})"
 
 
 def check_order(runner, scene, steps, orders, cells=None, dim=2, settings=()):
