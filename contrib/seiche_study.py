@@ -17,7 +17,7 @@ import random
 import re
 import tomllib
 
-from seiche_study_results import cause, collect, read_statistics, read_summary
+from seiche_study_results import COLUMN, cause, collect, read_statistics, read_summary
 
 FUNCTIONS = {
     name: getattr(math, name)
@@ -48,8 +48,18 @@ class StudyError(Exception):
     """A mistake in a study file, as one message."""
 
 
-def evaluate(text, names, where):
-    """Value of an expression of numbers, names and a few functions."""
+class FloatPowers(ast.NodeTransformer):
+    """Powers of floats: those of whole numbers may take for ever."""
+
+    def visit_BinOp(self, node):
+        self.generic_visit(node)
+        if isinstance(node.op, ast.Pow):
+            node.left = ast.Call(ast.Name("float", ast.Load()), [node.left], [])
+        return node
+
+
+def parse(text, known, where):
+    """Tree of an expression of numbers, names that are known and a few functions."""
     try:
         tree = ast.parse(text.strip(), mode="eval")
     except SyntaxError:
@@ -58,11 +68,18 @@ def evaluate(text, names, where):
         if not isinstance(node, NODES):
             raise StudyError(f"{where}: {text!r}: only numbers, names, operators and "
                              f"{', '.join(FUNCTIONS)} are allowed")
-        if isinstance(node, ast.Name) and node.id not in FUNCTIONS and node.id not in names:
+        if isinstance(node, ast.Name) and node.id not in FUNCTIONS and node.id not in known:
             raise StudyError(f"{where}: {text!r}: there is no variable {node.id!r}; known: "
-                             + (", ".join(sorted(map(str, names))) or "none"))
+                             + (", ".join(sorted(map(str, known))) or "none"))
+    return ast.fix_missing_locations(FloatPowers().visit(tree))
+
+
+def evaluate(text, names, where, known=None):
+    """Value of an expression; known: what messages list, if more than names."""
+    tree = parse(text, known or names, where)
     try:
-        return eval(compile(tree, where, "eval"), {"__builtins__": {}}, {**FUNCTIONS, **names})
+        return eval(compile(tree, where, "eval"), {"__builtins__": {}, "float": float},
+                    {**FUNCTIONS, **names})
     except StudyError:
         raise
     except Exception as error:
@@ -104,7 +121,8 @@ class Names(dict):
 
         def value_of(part):
             used = set(re.findall(r"[A-Za-z_]\w*", part)) - FUNCTIONS.keys()
-            return evaluate(part, {key: self[key] for key in used if key in self}, where)
+            return evaluate(part, {key: self[key] for key in used if key in self}, where,
+                            known=self.keys())
 
         whole = re.fullmatch(r"\{([^{}]*)\}", value.strip())
         if whole:
@@ -174,6 +192,7 @@ class Study:
         self.settings = list(dict.fromkeys(n for v in self.variants for n in v.settings))
         self.plots = self.data.get("plot", [])
         self.check_plots()
+        self.check_conditions()
 
     def fail(self, text):
         raise StudyError(f"{self.path}: {text}")
@@ -194,6 +213,9 @@ class Study:
         for name, source in self.data.get("collect", {}).items():
             if not re.fullmatch(r"[A-Za-z_]\w*", name) or not isinstance(source, str):
                 self.fail(f"collect: {name!r}: names are letters, digits and _, sources are texts")
+            if "{" not in source and "(" in source and not COLUMN.match(source):
+                self.fail(f"collect: {name!r}: {source!r}: known: errors/NAME and other paths in "
+                          "summary.json, first, last, min, max, mean as in last(COLUMN), at(COLUMN, TIME)")
         if not any(self.data.get(name) for name in ("vary", "variants", "sample")):
             self.fail("nothing varies: one of [vary], [[variants]], [sample] is needed")
 
@@ -215,6 +237,11 @@ class Study:
                 for name in [names] if isinstance(names, str) else names:
                     if name not in known:
                         self.fail(f"{where}: {key}: there is no setting or column {name!r}")
+
+    def check_conditions(self):
+        known = {*self.settings, *self.columns, *OUTCOME}
+        for name, text in self.conditions.items():
+            parse(text, known, f"{self.path}: fail: {name}")
 
     def factors(self):
         """[(name, [settings of each choice])], in the order of the file."""
@@ -251,6 +278,8 @@ class Study:
                 column = [of[i * len(of) // count] for i in range(count)]
             elif isinstance(of, dict) and {"from", "to"} <= of.keys() <= {"from", "to", "scale"}:
                 log = of.get("scale", "linear") == "log"
+                if log and min(of["from"], of["to"]) <= 0:
+                    self.fail(f"sample: {name!r}: a scale of logarithms needs positive numbers")
                 low, high = (math.log(of[k]) if log else of[k] for k in ("from", "to"))
                 column = [low + (high - low) * (i + generator.random()) / count for i in range(count)]
                 column = [float(f"{math.exp(v) if log else v:.4g}") for v in column]

@@ -19,6 +19,11 @@ namespace seiche
 
     /// Part of the step over which velocities are differences.
     constexpr double difference = 1e-3;
+
+    /// Part of the room that a wall may move between two samples without a
+    /// closer look, and halvings of the time between them in that look.
+    constexpr double       slow_share = 0.01;
+    constexpr unsigned int n_halvings = 40;
   } // namespace
 
   template <int dim>
@@ -93,7 +98,44 @@ namespace seiche
                                   room,
                                   parameters.obstacles.empty() ? "wall" :
                                                                  "obstacle"));
+        if (i > 0)
+          {
+            const double before = (i - 1) * end_time / n_samples;
+            input.require(!jumps(side, before, t, slow_share * room),
+                          path,
+                          fmt::format("the wall jumps between t = {:.4g} s and "
+                                      "{:.4g} s; an expression without steps "
+                                      "is needed.",
+                                      before,
+                                      t));
+          }
       }
+  }
+
+  template <int dim>
+  bool
+  WallMotion<dim>::jumps(const unsigned int side,
+                         double             begin,
+                         double             end,
+                         const double       slow) const
+  {
+    const double way =
+      std::abs(displacement(side, end) - displacement(side, begin));
+    if (way < slow)
+      return false;
+    // towards the half in which the wall moves farther: what is smooth halves
+    for (unsigned int i = 0; i < n_halvings; ++i)
+      {
+        const double middle = 0.5 * (begin + end);
+        const double place  = displacement(side, middle);
+        if (std::abs(place - displacement(side, begin)) >
+            std::abs(displacement(side, end) - place))
+          end = middle;
+        else
+          begin = middle;
+      }
+    return std::abs(displacement(side, end) - displacement(side, begin)) >
+           0.1 * way;
   }
 
   template <int dim>

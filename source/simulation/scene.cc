@@ -49,8 +49,8 @@ namespace seiche
       "What changes the volume of a point in a step: the "
       "displacement gradient at the point, or its nodal mean, "
       "which keeps neighbours together. automatic: nodal mean "
-      "for incompressible fluid, else at the point (nodal mean: "
-      "higher order, but at a free surface less accurate)",
+      "for incompressible fluid and for Element degree 2, else at the point "
+      "(nodal mean: higher order, but at a free surface less accurate)",
       Patterns::Selection("automatic|at the point|nodal mean"));
     prm.leave_subsection();
     time.add_parameters(prm);
@@ -130,7 +130,8 @@ namespace seiche
   Scene<dim>::uses_mean_volume() const
   {
     return volume_update == "nodal mean" ||
-           (volume_update == "automatic" && std::isinf(fluid.bulk_modulus));
+           (volume_update == "automatic" &&
+            (std::isinf(fluid.bulk_modulus) || formulation.degree == 2));
   }
 
   template <int dim>

@@ -115,8 +115,9 @@ namespace seiche
                       mass,
                       "Mass matrix from points to grid. lumped; consistent: "
                       "nodal velocities are those closest to the points', one "
-                      "solve a step; automatic: lumped for Element degree 1, "
-                      "consistent for 2.",
+                      "solve a step, without the affine parts of Method; "
+                      "automatic: lumped for Element degree 1, consistent for "
+                      "2.",
                       dealii::Patterns::Selection(
                         "automatic|lumped|consistent"));
     prm.leave_subsection();

@@ -199,6 +199,14 @@ VALUES = [
     Case("wall through the tank",
          **added("subsection Walls\n  set Left displacement = 50*t\nend\n"),
          line=LAST + 2, expect=['"Left displacement" in "Walls"', "leaves"]),
+    Case("wall that jumps later",
+         **added("subsection Walls\n  set Right displacement = "
+                 "if(t>0.007, -0.1, 0)\nend\n"),
+         line=LAST + 2, expect=['"Right displacement" in "Walls"', "jumps"]),
+    Case("wall that moves in steps",
+         **added("subsection Walls\n  set Left displacement = "
+                 "0.02*floor(t*1000/7)\nend\n"),
+         line=LAST + 2, expect=['"Left displacement" in "Walls"', "jumps"]),
     Case("wall that bends",
          **added("subsection Walls\n  set Left displacement = t*y\nend\n"),
          line=LAST + 2, expect=['"Left displacement" in "Walls"', "t alone"]),

@@ -128,13 +128,18 @@ def mistakes(seiche, folder):
         "syntax": ("[set]", "[set", "line"),
         "table": ("[fail]", "[fial]", "'fial'"),
         "base": ("column_2d.prm", "nothing.prm", "no file"),
-        "variable": ("{0.1/n}", "{0.1/m}", "no variable 'm'"),
+        "variable": ("{0.1/n}", "{0.1/m}", "no variable 'm'; known: "),
+        "logarithm": ("[collect]", "[sample]\ncount = 2\nodd = {from = 0, to = 1, "
+                      "scale = 'log'}\n[collect]", "positive"),
         "circle": ("points = 2", 'points = "{points+1}"', "circle"),
         "code": ("{0.1/n}", "{open('x')}", "'open'"),
         "attribute": ("{0.1/n}", "{n.real}", "only numbers"),
         "plot": ('x    = "n"', 'x    = "m"', "'m'"),
         "kind": ('"map"', '"mop"', "work"),
         "nothing varies": ("[[variants]]", "[[plot]]", "nothing varies"),
+        "endless power": ("{0.1/n}", "{9**9**9**9}", "out of range"),
+        "condition": ("[fail]", "[fail]\n\"odd\" = \"nothing > 1\"", "'nothing'"),
+        "function": ("[collect]", "[collect]\nodd = \"median(front)\"", "median"),
         "timeout": ("timeout = 60", "timeout = -1", "timeout"),
     }
     for name, (old, new, message) in cases.items():

@@ -66,6 +66,14 @@ namespace seiche
           const unsigned int         side,
           const double               end_time) const;
 
+    /// True if the wall moves by more than @p slow [m] between two times [s],
+    /// most of it at once.
+    bool
+    jumps(const unsigned int side,
+          double             begin,
+          double             end,
+          const double       slow) const;
+
     std::array<std::optional<Expression<dim>>, 2 * dim> expressions;
     std::array<std::array<double, 2>, dim> sides; ///< at the start [m]
     std::array<std::array<double, 2>, dim> fixed; ///< first, last fixed line
