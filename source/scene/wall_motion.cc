@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
+#include <seiche/scene/sample_times.h>
 #include <seiche/scene/wall_motion.h>
 
 #include <fmt/format.h>
@@ -13,9 +14,6 @@ namespace seiche
     /// Of the room between a moving wall and the next fixed lines, the share
     /// that must be left: thinner cells would cost more than they tell.
     constexpr double least_room = 0.2;
-
-    /// Times at which a motion is looked at before the run.
-    constexpr unsigned int n_samples = 1000;
 
     /// Part of the step over which velocities are differences.
     constexpr double difference = 1e-3;
@@ -75,9 +73,9 @@ namespace seiche
     input.require(room > 0.,
                   path,
                   "an obstacle stands at this wall; it cannot move.");
-    for (unsigned int i = 0; i <= n_samples; ++i)
+    double before = 0.;
+    for (const double t : sample_times(end_time))
       {
-        const double t = i * end_time / n_samples;
         input.require(expressions[side]->value(parameters.lower_corner, t) ==
                         expressions[side]->value(parameters.upper_corner, t),
                       path,
@@ -98,17 +96,14 @@ namespace seiche
                                   room,
                                   parameters.obstacles.empty() ? "wall" :
                                                                  "obstacle"));
-        if (i > 0)
-          {
-            const double before = (i - 1) * end_time / n_samples;
-            input.require(!jumps(side, before, t, slow_share * room),
-                          path,
-                          fmt::format("the wall jumps between t = {:.4g} s and "
-                                      "{:.4g} s; an expression without steps "
-                                      "is needed.",
-                                      before,
-                                      t));
-          }
+        input.require(!jumps(side, before, t, slow_share * room),
+                      path,
+                      fmt::format("the wall jumps between t = {:.4g} s and "
+                                  "{:.4g} s; an expression without steps is "
+                                  "needed.",
+                                  before,
+                                  t));
+        before = t;
       }
   }
 

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
+#include <seiche/scene/sample_times.h>
 #include <seiche/scene/wall_velocity.h>
 
 #include <fmt/format.h>
 
 namespace seiche
 {
-  namespace
-  {
-    /// Times at which a velocity is looked at before the run.
-    constexpr unsigned int n_samples = 1000;
-  } // namespace
-
   template <int dim>
   WallVelocity<dim>::WallVelocity(const GridParameters<dim> &parameters,
                                   const InputFile           &input,
@@ -39,16 +34,15 @@ namespace seiche
           centre[wall / 2] =
             wall % 2 == 0 ? box.first[wall / 2] : box.second[wall / 2];
         expressions[wall].emplace(input, path, text, dim, centre);
-        for (unsigned int i = 0; is_side && i <= n_samples; ++i)
-          {
-            const double t = i * end_time / n_samples;
-            input.require(value(wall, centre, t)[wall / 2] == 0.,
-                          path,
-                          fmt::format("the wall moves along itself only: its "
-                                      "normal component must be 0, also at "
-                                      "t = {:.4g} s.",
-                                      t));
-          }
+        if (!is_side)
+          continue;
+        for (const double t : sample_times(end_time))
+          input.require(value(wall, centre, t)[wall / 2] == 0.,
+                        path,
+                        fmt::format("the wall moves along itself only: its "
+                                    "normal component must be 0, also at "
+                                    "t = {:.4g} s.",
+                                    t));
       }
   }
 
