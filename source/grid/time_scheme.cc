@@ -61,6 +61,12 @@ namespace seiche
         return 1.;
       }
 
+      double
+      error_constant() const override
+      {
+        return beta - 1. / 6.;
+      }
+
       void
       offsets(const GridState<dim> &state,
               const double          dt,
@@ -156,6 +162,12 @@ namespace seiche
       pressure_time() const override
       {
         return 0.5;
+      }
+
+      double
+      error_constant() const override
+      {
+        return 1. / 12.; // theta = 1/2; others are of first order
       }
 
       void

@@ -15,7 +15,7 @@ namespace seiche
   namespace
   {
     /// Of the content; raise it when old files cannot be read any more.
-    constexpr unsigned int format_version = 3;
+    constexpr unsigned int format_version = 4;
 
     constexpr std::size_t points_per_chunk = std::size_t(1) << 16;
 
@@ -192,11 +192,12 @@ namespace seiche
     static const std::vector<std::string> free_entries  = {
        "Time/End time",
        "Time/Step",
-       "Time/Step control",
        "Time/CFL number",
+       "Time/Error tolerance",
        "Time/Minimum step",
        "Time/Maximum displacement"};
-    ParameterValues fixed;
+    static const std::string step_control = "Time/Step control";
+    ParameterValues          fixed;
     for (const auto &entry : all)
       {
         const std::string &path = entry.first;
@@ -211,6 +212,9 @@ namespace seiche
               free_entries.end())
           fixed.insert(entry);
       }
+    // only with this control do the points carry accelerations
+    if (fixed.at(step_control) != "error")
+      fixed.erase(step_control);
     return fixed;
   }
 

@@ -101,6 +101,11 @@ namespace seiche
       "Time/Elastic pressure",
       "middle needs Scheme = generalized midpoint and a finite Fluid/Bulk "
       "modulus: an incompressible fluid has no sound; set it to end");
+    input_file.require(
+      !time.controls_error() || time_scheme.scheme != "generalized midpoint" ||
+        time_scheme.rho_infinity == 1.,
+      "Time/Step control",
+      "error needs a scheme of second order: set Rho infinity = 1");
     if (bodies.empty())
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "
@@ -145,6 +150,8 @@ namespace seiche
                                       "newton_iterations",
                                       "krylov_iterations",
                                       "occupied_cells"};
+    if (time.controls_error())
+      names.push_back("time_error [cells]");
     const auto account = PointControl<dim>::account_names(point_control);
     names.insert(names.end(), account.begin(), account.end());
     return names;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/simulation.h>
+#include <seiche/solve/displacement_error.h>
 #include <seiche/utilities/exceptions.h>
 
 #include <fmt/format.h>
@@ -98,7 +99,11 @@ namespace seiche
       {
         const std::string failure = try_step();
         if (failure.empty())
-          break;
+          {
+            if (time_stepper.is_accurate(step_error(), state.dt))
+              break;
+            continue;
+          }
         report.warn("a step was repeated with half its size",
                     fmt::format("t = {:.6g} s: {}", state.time, failure));
         state.dt = time_stepper.repeat(failure);
@@ -155,7 +160,7 @@ namespace seiche
     const TimerTree::Scope scope(timer, "points to grid");
     state.reinit(occupancy,
                  formulation->has_pressure(),
-                 time_scheme->needs_acceleration());
+                 carries_acceleration());
     transfer.points_to_grid(points, state);
     material_is_found = true;
     occupied_max = std::max(occupied_max, occupancy.n_global_occupied_cells());
@@ -180,6 +185,20 @@ namespace seiche
     return transfer.check(state, points)
       .problem(scene.time.maximum_displacement -
                step_solver.wall_way(state.time, state.dt));
+  }
+
+  template <int dim>
+  double
+  Simulation<dim>::step_error() const
+  {
+    if (!scene.time.controls_error() || time_stepper.previous_step() == 0.)
+      return 0.;
+    const double lag = time_scheme->pressure_time();
+    return displacement_error(state,
+                              time_scheme->error_constant(),
+                              lag * state.dt +
+                                (1. - lag) * time_stepper.previous_step()) /
+           occupancy.smallest_extent();
   }
 
   template <int dim>

@@ -62,6 +62,8 @@ namespace seiche
                                   static_cast<double>(last.krylov_iterations),
                                   static_cast<double>(
                                     occupancy.n_global_occupied_cells())};
+    if (scene.time.controls_error())
+      values.push_back(time_stepper.error());
     for (const auto &change : point_control.account())
       values.push_back(change.second);
     const auto names = scene.simulation_columns();
@@ -95,8 +97,10 @@ namespace seiche
     summary["end_time"]           = time_stepper.time();
     summary["steps"]              = time_stepper.steps();
     summary["rejected_steps"]     = time_stepper.rejected();
-    summary["newton_iterations"]  = newton_total;
-    summary["krylov_iterations"]  = krylov_total;
+    if (scene.time.controls_error())
+      summary["time_error"] = time_stepper.error();
+    summary["newton_iterations"] = newton_total;
+    summary["krylov_iterations"] = krylov_total;
     for (const auto &[name, value] : point_control.account())
       summary["point control"][name] = value;
     scene.postprocessors.finish(statistics, summary);

@@ -60,11 +60,18 @@ namespace seiche
   }
 
   template <int dim>
+  bool
+  Simulation<dim>::carries_acceleration() const
+  {
+    return time_scheme->needs_acceleration() || scene.time.controls_error();
+  }
+
+  template <int dim>
   std::set<PointColumn>
   Simulation<dim>::point_columns() const
   {
     auto columns = Transfer<dim>::columns(scene.transfer);
-    if (time_scheme->needs_acceleration())
+    if (carries_acceleration())
       columns.insert(PointColumn::acceleration);
     return columns;
   }
@@ -77,6 +84,10 @@ namespace seiche
   Simulation<2>::prepare_start();
   template void
   Simulation<3>::prepare_start();
+  template bool
+  Simulation<2>::carries_acceleration() const;
+  template bool
+  Simulation<3>::carries_acceleration() const;
   template std::set<PointColumn>
   Simulation<2>::point_columns() const;
   template std::set<PointColumn>

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace seiche
 {
@@ -22,6 +23,17 @@ namespace seiche
 
     /// Halvings of the step before giving up, if no smallest step is given.
     constexpr double default_smallest_share = 1. / 1024.;
+
+    /// The first step, of which no error is known, over Step.
+    constexpr double first_share = 0.1;
+
+    /// Of the step that would just meet the tolerance, and how much the size
+    /// may change from step to step.
+    constexpr double safety = 0.9, largest_growth = 1.5, largest_cut = 0.3;
+
+    /// A step with more than this multiple of its share of the error is
+    /// repeated.
+    constexpr double repeat_above = 2.;
 
     /// A last step may be this much longer, so that none is tiny.
     constexpr double stretch = 1. + 1e-9;
@@ -38,18 +50,27 @@ namespace seiche
                       /*has_to_be_set=*/true);
     prm.add_parameter("Step",
                       step,
-                      "Step size, the largest one if it is controlled [s]",
+                      "Step size, the largest one if it is controlled; with "
+                      "Step control = error the first is a tenth of it [s]",
                       Patterns::Double(1e-300),
                       /*has_to_be_set=*/true);
     prm.add_parameter("Step control",
                       control,
-                      "fixed, or CFL: from the largest speed",
-                      Patterns::Selection("fixed|CFL"));
+                      "fixed; CFL: from the largest speed; error: so that the "
+                      "errors of all steps add up to Error tolerance, CFL "
+                      "number at most",
+                      Patterns::Selection("fixed|CFL|error"));
     prm.add_parameter("CFL number",
                       cfl,
                       "Cells that the fastest point crosses in a step with "
                       "Step control = CFL [-]",
                       Patterns::Double(1e-6, 1.));
+    prm.add_parameter("Error tolerance",
+                      error_tolerance,
+                      "What the steps may add to the points' ways in a second "
+                      "with Step control = error, root mean square over the "
+                      "mass [cells/s]",
+                      Patterns::Double(1e-12));
     prm.add_parameter("Minimum step",
                       minimum_step,
                       "A step that fails at half this size ends the run; 0: "
@@ -103,8 +124,11 @@ namespace seiche
   double
   TimeStepper::next_step(const double speed_per_cell)
   {
-    dt = parameters.step;
-    if (parameters.control == "CFL")
+    const bool is_controlled = parameters.control != "fixed";
+    dt                       = parameters.step;
+    if (parameters.controls_error())
+      dt = wanted_dt > 0. ? std::min(dt, wanted_dt) : first_share * dt;
+    if (is_controlled)
       {
         if (speed_per_cell * dt > parameters.cfl)
           dt = parameters.cfl / speed_per_cell;
@@ -114,7 +138,7 @@ namespace seiche
     const double rest = parameters.end_time - now;
     if (rest <= stretch * dt)
       dt = rest;
-    else if (parameters.control == "CFL" && rest < 2. * dt)
+    else if (is_controlled && rest < 2. * dt)
       dt = 0.5 * rest; // no tiny last step
     return dt;
   }
@@ -141,10 +165,37 @@ namespace seiche
     return dt;
   }
 
+  bool
+  TimeStepper::is_accurate(const double error, double &step_size)
+  {
+    if (!parameters.controls_error())
+      return true;
+    // the local error grows with dt^3, its share of the tolerance with dt
+    const double allowed = parameters.error_tolerance * dt;
+    const double factor  = error > 0. ?
+                             std::clamp(safety * std::sqrt(allowed / error),
+                                       largest_cut,
+                                       largest_growth) :
+                             largest_growth;
+    const bool stays = error <= repeat_above * allowed || dt <= smallest_step();
+    wanted_dt        = std::max(factor * dt, smallest_step());
+    if (stays)
+      step_error = error;
+    else
+      {
+        ++n_rejected;
+        step_size = dt = wanted_dt;
+      }
+    return stays;
+  }
+
   void
   TimeStepper::accept()
   {
     now += dt;
+    previous_dt = dt;
+    error_sum += step_error;
+    step_error = 0.;
     ++n_steps;
     if (reduction < 1. && ++good_steps >= steps_before_growth)
       {
@@ -157,6 +208,9 @@ namespace seiche
   TimeStepper::save_or_load(StateArchive &archive)
   {
     archive("time", now);
+    archive("previous step", previous_dt);
+    archive("wanted step", wanted_dt);
+    archive("error", error_sum);
     archive("reduction", reduction);
     archive("good steps", good_steps);
     archive("steps", n_steps);

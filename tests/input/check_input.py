@@ -272,6 +272,10 @@ GEOMETRY = [
     Case("sound in an incompressible fluid",
          **added("subsection Time\n  set Elastic pressure = middle\nend\n"),
          line=LAST + 2, expect=['"Elastic pressure" in "Time"', "Bulk"]),
+    Case("step control by the error of a scheme of first order",
+         **added("subsection Time\n  set Step control = error\n"
+                 "  set Rho infinity = 0.5\nend\n"),
+         line=LAST + 2, expect=['"Step control" in "Time"', "Rho infinity"]),
     Case("a grid line beside the face of an obstacle",
          "  set Cell size    = 0.1",
          "  set Cell size    = 0.1\n  set Break points x = 0.4999", line=6,

@@ -86,6 +86,16 @@ def exact_3d(make, folder, ranks):
     exact(make(SCENE_3D, ranks), folder, ["statistics.csv"], ["0.17"])
 
 
+def exact_error_control(make, folder, ranks):
+    """The size of the next step depends on the steps before."""
+    options = ["Time/Step control = error", "Time/Error tolerance = 0.01"]
+    exact(make(SCENE_3D, ranks, options), folder, ["statistics.csv"], ["0.17"])
+    steps = read_columns(f"{folder}/whole")["dt [s]"]
+    assert len({round(dt, 9) for dt in steps}) > 5, steps
+    text = make(SCENE_3D, ranks).run(f"{folder}/parts", "--restart", code=4)
+    assert '"Time/Step control"' in text, text
+
+
 def exact_adaptive(make, folder, ranks):
     exact(make(SCENE_ADAPTIVE, ranks), folder, ["statistics.csv"], ["0.13"])
 
@@ -245,6 +255,7 @@ def stopped_at_start(make, folder, _):
 CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_piston": (exact_piston, 1),
          "exact_3d": (exact_3d, 1), "exact_3d_2_ranks": (exact_3d, 2),
+         "exact_error_control_2_ranks": (exact_error_control, 2),
          "exact_adaptive_2_ranks": (exact_adaptive, 2),
          "exact_box_2_ranks": (exact_box, 2),
          "exact_points": (exact_points, 1),

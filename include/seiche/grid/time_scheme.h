@@ -82,6 +82,11 @@ namespace seiche
     virtual double
     pressure_time() const = 0;
 
+    /// Local error of a step's displacement over dt^3 d^2v/dt^2, if the scheme
+    /// is of second order.
+    virtual double
+    error_constant() const = 0;
+
     /// Nodal offsets of the coefficients from the start of the step
     /// (velocity_start, acceleration_n). Local on own and ghost nodes.
     virtual void

@@ -76,6 +76,11 @@ namespace seiche
     std::string
     try_step();
 
+    /// Local error of the step's displacements [cells], 0 if it is of no use
+    /// or unknown.
+    double
+    step_error() const;
+
     /// Velocity (and acceleration, pressure) that fit the constraint.
     void
     prepare_start();
@@ -93,6 +98,9 @@ namespace seiche
     double
     speed_per_cell() const;
 
+    /// True if the points keep the acceleration of the step before.
+    bool
+    carries_acceleration() const;
     std::set<PointColumn>
     point_columns() const;
 

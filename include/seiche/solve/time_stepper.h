@@ -21,6 +21,7 @@ namespace seiche
     double       step                 = 1.;
     std::string  control              = "fixed";
     double       cfl                  = 0.4;
+    double       error_tolerance      = 0.01;
     double       minimum_step         = 0.;
     double       maximum_displacement = 1.;
     std::string  projection           = "each step";
@@ -36,11 +37,16 @@ namespace seiche
     {
       return projection == "each step";
     }
+    bool
+    controls_error() const
+    {
+      return control == "error";
+    }
   };
 
   /**
-   * @brief Size of the next step: fixed or from the CFL number, halved after
-   * a failure, restored by and by.
+   * @brief Size of the next step: fixed, from the CFL number or from the error
+   * of the steps before, halved after a failure, restored by and by.
    */
   class TimeStepper
   {
@@ -57,7 +63,13 @@ namespace seiche
     double
     repeat(const std::string &reason);
 
-    /// The step of next_step() or repeat() is done.
+    /// May a step with this local error [cells] stay? Always, unless the error
+    /// is controlled. Decides on the size of the next step, or of this one's
+    /// repetition, which it returns in @p step_size [s].
+    bool
+    is_accurate(const double error, double &step_size);
+
+    /// The step of next_step(), repeat() or is_accurate() is done.
     void
     accept();
 
@@ -69,6 +81,18 @@ namespace seiche
     time() const
     {
       return now;
+    }
+    /// Size of the step before [s], 0 if there is none.
+    double
+    previous_step() const
+    {
+      return previous_dt;
+    }
+    /// Sum of the local errors of all steps [cells].
+    double
+    error() const
+    {
+      return error_sum;
     }
     /// Of the step's size after failures: 1, or the share that is tried.
     double
@@ -94,8 +118,12 @@ namespace seiche
     smallest_step() const;
 
     const TimeStepParameters parameters;
-    double                   now        = 0.; ///< [s] start of the step
-    double                   dt         = 0.; ///< [s] of the step
+    double                   now         = 0.; ///< [s] start of the step
+    double                   dt          = 0.; ///< [s] of the step
+    double                   previous_dt = 0.; ///< [s] of the step before
+    double                   wanted_dt  = 0.; ///< [s] by the error; 0: none yet
+    double                   step_error = 0.; ///< [cells] of the step
+    double                   error_sum  = 0.; ///< [cells] of the steps before
     double                   reduction  = 1.; ///< after failures
     unsigned int             good_steps = 0;  ///< since the last failure
     unsigned int             n_steps    = 0;
