@@ -2,16 +2,21 @@
 // Speed of the kernels of a step, each on its own (google-benchmark).
 //
 // Two scenes in 2D and 3D, a column of water: "surface" takes the points of all
-// cells as quadrature, as cells at the free surface do, "full" Gauss points. The
-// positions are disordered; the state is that of the first step. Rates are
+// cells as quadrature, as cells at the free surface do, "full" Gauss points.
+// The positions are disordered; the state is that of the first step. Rates are
 // points or cells a second (items_per_second).
-#include "workbench.h"
-
+#include <seiche/postprocess/grid_output.h>
+#include <seiche/postprocess/point_output.h>
 #include <seiche/solve/block_preconditioner.h>
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <map>
+
+#include "workbench.h"
 
 namespace
 {
@@ -41,8 +46,8 @@ namespace
     auto &bench = benches<dim>[cells];
     if (!bench)
       {
-        std::vector<std::string> overrides = {"Points/Jitter = 0.3",
-                                              "Solver/Linear solver = iterative"};
+        std::vector<std::string> overrides = {
+          "Points/Jitter = 0.3", "Solver/Linear solver = iterative"};
         if (cells == Cells::surface)
           overrides.push_back("Quadrature/Rule = material points");
         if (dim == 2)
@@ -166,8 +171,8 @@ namespace
     auto &bench = workbench<dim>(Cells::full);
     for (auto _ : state)
       bench.matrix.vmult(bench.solution, bench.residual);
-    const double entries = double(bench.matrix.sparsity().n_entries()) *
-                           (dim + 1) * (dim + 1);
+    const double entries =
+      double(bench.matrix.sparsity().n_entries()) * (dim + 1) * (dim + 1);
     state.SetItemsProcessed(state.iterations() * bench.occupancy.n_own_nodes());
     state.SetBytesProcessed(state.iterations() * entries * sizeof(double));
   }
@@ -177,7 +182,7 @@ namespace
   void
   preconditioner_set_up(benchmark::State &state)
   {
-    auto &bench = workbench<dim>(Cells::full);
+    auto                            &bench = workbench<dim>(Cells::full);
     seiche::BlockPreconditioner<dim> preconditioner;
     for (auto _ : state)
       {
@@ -195,7 +200,7 @@ namespace
   void
   preconditioner_cycle(benchmark::State &state)
   {
-    auto &bench = workbench<dim>(Cells::full);
+    auto                            &bench = workbench<dim>(Cells::full);
     seiche::BlockPreconditioner<dim> preconditioner;
     preconditioner.initialize(bench.matrix,
                               bench.assembler,
@@ -206,23 +211,51 @@ namespace
       preconditioner.vmult(bench.solution, bench.residual);
     state.SetItemsProcessed(state.iterations() * bench.occupancy.n_own_nodes());
   }
+
+  /// A frame of the points and one of the cells, written to the disk.
+  template <int dim>
+  void
+  output(benchmark::State &state)
+  {
+    auto                       &bench = workbench<dim>(Cells::full);
+    const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() /
+      fmt::format("seiche_kernels_{}", getpid());
+    std::filesystem::create_directories(folder);
+    const seiche::FrameSettings settings{folder.string(), 1., 1e300};
+    seiche::PointOutput<dim>    point_output(settings, MPI_COMM_WORLD);
+    seiche::GridOutput<dim>     grid_output(
+      settings, std::make_shared<seiche::NodalPressure<dim>>(), MPI_COMM_WORLD);
+    seiche::StatisticsTable statistics((folder / "statistics.csv").string(),
+                                       /*writes=*/true);
+    seiche::StepView<dim>   view = bench.view();
+    for (auto _ : state)
+      {
+        point_output.execute(view, statistics);
+        grid_output.execute(view, statistics);
+        view.time += settings.interval;
+      }
+    std::filesystem::remove_all(folder);
+    count_points(state, bench);
+  }
 } // namespace
 
-#define SEICHE_KERNEL(...)                                              \
+#define SEICHE_KERNEL(...) \
   BENCHMARK_TEMPLATE(__VA_ARGS__)->Unit(benchmark::kMillisecond)
 
-#define SEICHE_KERNELS(dim)                          \
-  SEICHE_KERNEL(points_to_grid, dim);                \
-  SEICHE_KERNEL(grid_to_points, dim);                \
-  SEICHE_KERNEL(locate_and_sort, dim);               \
-  SEICHE_KERNEL(occupancy_and_fill, dim);            \
-  SEICHE_KERNEL(residual, dim, Cells::surface);      \
-  SEICHE_KERNEL(tangent, dim, Cells::surface);       \
-  SEICHE_KERNEL(residual, dim, Cells::full);         \
-  SEICHE_KERNEL(tangent, dim, Cells::full);          \
-  SEICHE_KERNEL(matrix_product, dim);                \
-  SEICHE_KERNEL(preconditioner_set_up, dim);         \
-  SEICHE_KERNEL(preconditioner_cycle, dim)
+#define SEICHE_KERNELS(dim)                     \
+  SEICHE_KERNEL(points_to_grid, dim);           \
+  SEICHE_KERNEL(grid_to_points, dim);           \
+  SEICHE_KERNEL(locate_and_sort, dim);          \
+  SEICHE_KERNEL(occupancy_and_fill, dim);       \
+  SEICHE_KERNEL(residual, dim, Cells::surface); \
+  SEICHE_KERNEL(tangent, dim, Cells::surface);  \
+  SEICHE_KERNEL(residual, dim, Cells::full);    \
+  SEICHE_KERNEL(tangent, dim, Cells::full);     \
+  SEICHE_KERNEL(matrix_product, dim);           \
+  SEICHE_KERNEL(preconditioner_set_up, dim);    \
+  SEICHE_KERNEL(preconditioner_cycle, dim);     \
+  SEICHE_KERNEL(output, dim)
 
 SEICHE_KERNELS(2);
 SEICHE_KERNELS(3);

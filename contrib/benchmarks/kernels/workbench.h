@@ -3,11 +3,13 @@
 #define contrib_benchmarks_kernels_workbench_h
 
 #include <seiche/grid/wall_conditions.h>
+#include <seiche/postprocess/postprocessor.h>
 #include <seiche/simulation/scene.h>
 #include <seiche/solve/velocity_projection.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,7 +50,9 @@ struct Workbench : ParsedScene<dim>
     : ParsedScene<dim>(filename, overrides)
     , grid(scene.grid, MPI_COMM_WORLD)
     , locator(grid)
-    , time_scheme(seiche::make_time_scheme<dim>(scene.time_scheme))
+    , time_scheme(
+        seiche::make_time_scheme<dim>(scene.time_scheme,
+                                      std::isinf(scene.fluid.bulk_modulus)))
     , formulation(
         seiche::make_formulation<dim>(scene.formulation, scene.material()))
     , points(locator,
@@ -63,7 +67,7 @@ struct Workbench : ParsedScene<dim>
                                          seiche::GaussRatio::one))
     , body_force(scene.body_force, scene.input)
     , wall_motion(scene.grid, scene.input, scene.time.end_time)
-    , wall_velocity(scene.grid, scene.input)
+    , wall_velocity(scene.grid, scene.input, scene.time.end_time)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
     , transfer(scene.transfer,
                fill,
@@ -80,13 +84,11 @@ struct Workbench : ParsedScene<dim>
     , projection(assembler,
                  matrix,
                  solver,
-                 scene.linear_solver.projection_tolerance)
+                 scene.linear_solver.projection_tolerance,
+                 scene.time.projection_sweeps)
   {
-    seiche::seed_bodies(scene.seeding,
-                        scene.bodies,
-                        scene.input,
-                        scene.fluid.density,
-                        points);
+    seiche::seed_bodies(
+      scene.seeding, scene.bodies, scene.input, scene.fluid.density, points);
     occupancy.update(points);
     fill.update(points);
     matrix.reinit(fill);
@@ -105,6 +107,29 @@ struct Workbench : ParsedScene<dim>
     solution.reinit(state.solution);
     assembler.residual(state, residual);
     assembler.tangent(state, matrix);
+  }
+
+  /// What postprocessors see of it.
+  seiche::StepView<dim>
+  view() const
+  {
+    return {0,
+            0.,
+            0.,
+            0.,
+            points,
+            occupancy,
+            fill,
+            state,
+            scene.fluid.density,
+            dealii::Tensor<1, dim>(),
+            scene.fluid.bulk_modulus,
+            0.5,
+            0.5,
+            0.,
+            occupancy.smallest_extent(),
+            0,
+            0};
   }
 
   seiche::TimerTree                               timer;
