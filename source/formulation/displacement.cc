@@ -11,21 +11,21 @@ namespace seiche
     template <int dim, int degree>
     struct PointState
     {
-      double         volume_t, strain_slope; // VolumeStrain::slope
-      Tensor<2, dim> velocity_gradient, stress;
+      Lanes                 volume_t, strain_slope; // VolumeStrain::slope
+      Tensor<2, dim, Lanes> velocity_gradient, stress;
 
-      PointState(const CellData<dim, degree>        &cell,
-                 const PointKinematics<dim, degree> &point,
-                 const unsigned int                  q,
-                 const MaterialConstants            &material)
+      PointState(const CellData<dim, degree>               &cell,
+                 const PointKinematics<dim, degree, Lanes> &point,
+                 const unsigned int                         q,
+                 const MaterialConstants                   &material)
       {
         // finite kappa needs the whole volume error: no relaxation here
-        const double J_n = cell.quadrature.volume_ratio[q];
-        volume_t         = point.det_t * J_n * cell.quadrature.volume[q];
-        const VolumeStrain strain(material.volume_law,
-                                  cell.coefficients.elastic_time,
-                                  J_n,
-                                  point.det_1 * J_n);
+        const Lanes J_n = load<Lanes>(&cell.quadrature.volume_ratio[q]);
+        volume_t = point.det_t * J_n * load<Lanes>(&cell.quadrature.volume[q]);
+        const VolumeStrain<Lanes> strain(material.volume_law,
+                                         cell.coefficients.elastic_time,
+                                         J_n,
+                                         point.det_1 * J_n);
         strain_slope = strain.slope;
         if (cell.coefficients.viscous && !material.law.is_inviscid())
           {
@@ -33,7 +33,7 @@ namespace seiche
               point.gradient(cell.rate_velocity, point.gradient_t);
             stress = material.law.stress(velocity_gradient);
           }
-        const double pressure = -material.bulk_modulus * strain.value;
+        const Lanes pressure = -material.bulk_modulus * strain.value;
         for (unsigned int i = 0; i < dim; ++i)
           stress[i][i] -= pressure;
       }
@@ -66,20 +66,25 @@ namespace seiche
   void
   Displacement<dim>::add_residual(CellData<dim, degree> &cell) const
   {
-    cell.clear_residual();
-    PointKinematics<dim, degree> point;
-    for (unsigned int q = 0; q < cell.quadrature.size; ++q)
+    PointKinematics<dim, degree, Lanes> point;
+    Lanes residual[dim][CellData<dim, degree>::n_nodes] = {};
+    for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
       {
         point.evaluate(cell, q, /*with_end=*/false);
         const PointState<dim, degree> state(cell, point, q, this->material);
-        MomentumTerms<dim, degree>::add_residual(cell,
-                                                 point,
-                                                 cell.quadrature.mass[q],
-                                                 state.volume_t,
-                                                 point.value(cell.acceleration),
-                                                 cell.body_force_at(q),
-                                                 state.stress);
+        MomentumTerms<dim, degree>::add_residual(
+          cell,
+          point,
+          load<Lanes>(&cell.quadrature.mass[q]),
+          state.volume_t,
+          point.value(cell.acceleration),
+          cell.template body_force_at<Lanes>(q),
+          state.stress,
+          residual);
       }
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int a = 0; a < CellData<dim, degree>::n_nodes; ++a)
+        cell.residual_u[i][a] = sum(residual[i][a]);
   }
 
   template <int dim>
@@ -103,21 +108,22 @@ namespace seiche
   {
     cell.clear_tangent();
     const double viscosity = this->material.viscosity(cell.coefficients);
-    PointKinematics<dim, degree> point;
-    for (unsigned int q = 0; q < cell.quadrature.size; ++q)
+    PointKinematics<dim, degree, Lanes> point;
+    for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
       {
         point.evaluate(cell, q, /*with_end=*/true);
         const PointState<dim, degree> state(cell, point, q, this->material);
-        MomentumTerms<dim, degree>::add_tangent(cell,
-                                                point,
-                                                cell.quadrature.mass[q],
-                                                state.volume_t,
-                                                viscosity,
-                                                this->material.bulk_modulus *
-                                                  state.strain_slope,
-                                                point.gradient_1,
-                                                state.velocity_gradient,
-                                                state.stress);
+        MomentumTerms<dim, degree>::add_tangent(
+          cell,
+          point,
+          std::min(n_lanes_of_register, cell.quadrature.size - q),
+          load<Lanes>(&cell.quadrature.mass[q]),
+          state.volume_t,
+          viscosity,
+          this->material.bulk_modulus * state.strain_slope,
+          point.gradient_1,
+          state.velocity_gradient,
+          state.stress);
       }
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/formulation/displacement_pressure_vms.h>
 #include <seiche/formulation/momentum_terms.h>
+#include <seiche/formulation/pressure_terms.h>
 #include <seiche/formulation/vms_point_state.h>
 
 namespace seiche
@@ -34,37 +35,45 @@ namespace seiche
   DisplacementPressureVMS<dim>::add_residual(CellData<dim, degree> &cell) const
   {
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
-    cell.clear_residual();
-    const Tau                    tau    = this->tau(cell);
-    const bool                   splits = this->stabilization.is_split();
-    PointKinematics<dim, degree> point;
-    for (unsigned int q = 0; q < cell.quadrature.size; ++q)
+    const Tau              tau     = this->tau(cell);
+    const bool             splits  = this->stabilization.is_split();
+    PointKinematics<dim, degree, Lanes> point;
+    Lanes residual_u[dim][n_nodes] = {}, residual_p[n_nodes] = {};
+    for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
       {
         point.evaluate(cell, q, /*with_end=*/false);
-        const VMSPointState<dim, degree> state(
+        const VMSPointState<dim, degree, Lanes> state(
           cell, point, q, this->material, tau, splits);
-        MomentumTerms<dim, degree>::add_residual(cell,
-                                                 point,
-                                                 cell.quadrature.mass[q],
-                                                 state.volume_t,
-                                                 state.acceleration,
-                                                 cell.body_force_at(q),
-                                                 state.stress);
+        MomentumTerms<dim, degree>::add_residual(
+          cell,
+          point,
+          load<Lanes>(&cell.quadrature.mass[q]),
+          state.volume_t,
+          state.acceleration,
+          cell.template body_force_at<Lanes>(q),
+          state.stress,
+          residual_u);
 
-        const double coarse =
-          cell.quadrature.volume[q] *
+        const Lanes coarse =
+          load<Lanes>(&cell.quadrature.volume[q]) *
           (state.constraint +
-           state.fine_pressure / this->material.bulk_modulus);
+           state.fine_pressure * (1. / this->material.bulk_modulus));
         for (unsigned int a = 0; a < n_nodes; ++a)
-          cell.residual_p[a] += coarse * point.N[a];
+          residual_p[a] += coarse * point.N[a];
         if (!cell.sliver)
           for (unsigned int i = 0; i < dim; ++i)
             {
-              const double fine =
+              const Lanes fine =
                 state.volume_t * tau.momentum * state.momentum_residual[i];
               for (unsigned int a = 0; a < n_nodes; ++a)
-                cell.residual_p[a] -= fine * point.gradient_t[i][a];
+                residual_p[a] -= fine * point.gradient_t[i][a];
             }
+      }
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        for (unsigned int i = 0; i < dim; ++i)
+          cell.residual_u[i][a] = sum(residual_u[i][a]);
+        cell.residual_p[a] = sum(residual_p[a]);
       }
     if (cell.sliver && tau.momentum > 0.)
       sliver_residual(cell, tau.momentum);
@@ -97,91 +106,71 @@ namespace seiche
     const double kappa     = this->material.bulk_modulus;
     const double weight_g  = 1. - tau.continuity / kappa;
     const bool   splits    = this->stabilization.is_split();
-    PointKinematics<dim, degree> point;
-    for (unsigned int q = 0; q < cell.quadrature.size; ++q)
+    PointKinematics<dim, degree, Lanes> point;
+    for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
       {
+        const unsigned int n_points =
+          std::min(n_lanes_of_register, cell.quadrature.size - q);
         point.evaluate(cell, q, /*with_end=*/true);
-        const VMSPointState<dim, degree> state(
+        const VMSPointState<dim, degree, Lanes> state(
           cell, point, q, this->material, tau, splits);
-        const double       V0 = cell.quadrature.volume[q];
-        alignas(64) double h[dim][n_nodes]; // d(constraint)/du
+        Lanes h[dim][n_nodes]; // d(constraint)/du
         state.constraint_slope(cell, point, h);
         MomentumTerms<dim, degree>::add_tangent(cell,
                                                 point,
-                                                cell.quadrature.mass[q],
+                                                n_points,
+                                                load<Lanes>(
+                                                  &cell.quadrature.mass[q]),
                                                 state.volume_t,
                                                 viscosity,
-                                                tau.continuity,
+                                                Lanes(tau.continuity),
                                                 h,
                                                 state.velocity_gradient,
                                                 state.stress);
-        const auto &N = point.N;
-        const auto &g = point.gradient_t;
 
         // V_t tau1 {theta [(grad q.grad p) div du + grad q.(grad du) r
         //                  - grad p.(grad du)^T grad q] + rho C_a grad q.du}
-        const double fine = cell.sliver ? 0. : state.volume_t * tau.momentum;
-        // grad N.(grad p + Pi r - div s) and grad N.r
-        alignas(64) double gp[n_nodes], gr[n_nodes];
+        const auto &g = point.gradient_t;
+        const Lanes fine =
+          cell.sliver ? Lanes(0.) : state.volume_t * tau.momentum;
+        const Lanes inertia = state.is_split ?
+                                Lanes(0.) :
+                                fine * state.rho_t * cell.coefficients.inertia;
+        const Lanes weight = weight_g * load<Lanes>(&cell.quadrature.volume[q]);
+        // times grad N: of grad p + Pi r - div s; of r, and the inertia's N
+        Lanes gp[n_nodes], of_g[n_nodes];
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            gp[a] = gr[a] = 0.;
+            Lanes of_p = 0., of_r = 0.;
             for (unsigned int j = 0; j < dim; ++j)
               {
-                gp[a] +=
+                of_p +=
                   g[j][a] * (state.pressure_gradient[j] + state.projected[j] -
                              state.stress_divergence[j]);
-                gr[a] += g[j][a] * state.momentum_residual[j];
+                of_r += g[j][a] * state.momentum_residual[j];
               }
+            gp[a]   = theta * fine * of_p;
+            of_g[a] = theta * fine * of_r + inertia * point.N[a];
           }
-        const double inertia =
-          state.is_split ? 0. : fine * state.rho_t * cell.coefficients.inertia;
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            const double of_N       = weight_g * V0 / kappa * N[a];
-            const double divergence = weight_g * V0 * N[a];
-            auto        &row_pp     = cell.pp[a];
-#pragma omp simd
-            for (unsigned int b = 0; b < n_nodes; ++b)
-              {
-                double sum = 0.;
-                for (unsigned int j = 0; j < dim; ++j)
-                  sum += g[j][a] * g[j][b];
-                row_pp[b] += of_N * N[b] + fine * sum;
-              }
-            for (unsigned int k = 0; k < dim; ++k)
-              {
-                double of_g[dim]; // factors of g
-                for (unsigned int j = 0; j < dim; ++j)
-                  of_g[j] =
-                    -theta * fine * state.pressure_gradient[k] * g[j][a];
-                of_g[k] += theta * fine * gp[a];
-                const double of_gr = theta * fine * g[k][a];
-                const double of_a  = inertia * g[k][a];
-                auto        &row   = cell.pu[k][a];
-#pragma omp simd
-                for (unsigned int b = 0; b < n_nodes; ++b)
-                  {
-                    double sum =
-                      divergence * h[k][b] + of_gr * gr[b] + of_a * N[b];
-                    for (unsigned int j = 0; j < dim; ++j)
-                      sum += of_g[j] * g[j][b];
-                    row[b] += sum;
-                  }
-              }
-            for (unsigned int i = 0; i < dim; ++i)
-              {
-                const double force = -weight_g * state.volume_t * g[i][a];
-                auto        &row   = cell.up[i][a];
-#pragma omp simd
-                for (unsigned int b = 0; b < n_nodes; ++b)
-                  row[b] += force * N[b];
-              }
-          }
+        PressureTerms<dim, degree>::add_couplings(cell,
+                                                  point,
+                                                  n_points,
+                                                  -weight_g * state.volume_t,
+                                                  weight,
+                                                  h,
+                                                  of_g,
+                                                  gp);
+        PressureTerms<dim, degree>::add_gradients(cell,
+                                                  point,
+                                                  n_points,
+                                                  weight / kappa,
+                                                  fine,
+                                                  -theta *
+                                                    state.pressure_gradient);
         if constexpr (degree > 1)
-          if (viscosity != 0. && fine != 0. && !state.is_split)
+          if (viscosity != 0. && !cell.sliver && !state.is_split)
             {
-              double derivative[dim][dim][n_nodes];
+              Lanes derivative[dim][dim][n_nodes];
               state.stress_divergence_derivative(cell,
                                                  point,
                                                  fine * viscosity,
@@ -190,7 +179,7 @@ namespace seiche
                 for (unsigned int i = 0; i < dim; ++i)
                   for (unsigned int a = 0; a < n_nodes; ++a)
                     for (unsigned int b = 0; b < n_nodes; ++b)
-                      cell.pu[k][a][b] -= g[i][a] * derivative[i][k][b];
+                      cell.pu[k][a][b] -= sum(g[i][a] * derivative[i][k][b]);
             }
       }
     if (cell.sliver && tau.momentum > 0.)

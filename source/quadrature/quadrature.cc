@@ -175,6 +175,21 @@ namespace seiche
       values->resize(capacity);
   }
 
+  template <int dim>
+  void
+  CellQuadrature<dim>::pad()
+  {
+    constexpr double   negligible = 1e-150; // its square is a number, too
+    const unsigned int n_points   = size;
+    if (n_points > 0)
+      while (size % n_lanes_of_register != 0)
+        push_back(point(0),
+                  negligible * mass[0],
+                  negligible * volume[0],
+                  volume_ratio[0]);
+    size = n_points;
+  }
+
   void
   QuadratureParameters::add_parameters(ParameterHandler &prm)
   {

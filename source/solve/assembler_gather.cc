@@ -18,9 +18,11 @@ namespace seiche
     if (fill.is_thin(cell) || fill.is_sliver(cell))
       data.coefficients.jerk_constraint = 0.; // noise in spray, hard on Newton
     data.extent = locator.extent(cell);
-    data.size   = std::pow(locator.measure(cell), 1. / dim);
+    data.size   = dim == 2 ? std::sqrt(locator.measure(cell)) :
+                             std::cbrt(locator.measure(cell));
     data.sliver = free_surface.sliver_treatment && fill.is_sliver(cell);
     quadrature.get(cell, data.quadrature);
+    data.quadrature.pad();
 
     const unsigned int *nodes = occupancy.cell_nodes(cell);
     double              start_velocity[dim][n_nodes];
@@ -95,7 +97,8 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
-    data.body_force.resize(data.quadrature.size);
+    for (auto &component : data.body_force)
+      component.assign(data.quadrature.size + n_lanes_of_register, 0.);
     double N[n_nodes];
     for (unsigned int q = 0; q < data.quadrature.size; ++q)
       {
@@ -108,7 +111,10 @@ namespace seiche
             for (unsigned int a = 0; a < n_nodes; ++a)
               x[d] += step.theta * step.dt * N[a] * start_velocity[d][a];
           }
-        data.body_force[q] = body_force.value(x, time + step.theta * step.dt);
+        const Tensor<1, dim> force =
+          body_force.value(x, time + step.theta * step.dt);
+        for (unsigned int d = 0; d < dim; ++d)
+          data.body_force[d][q] = force[d];
       }
   }
 

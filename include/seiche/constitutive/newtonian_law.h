@@ -25,17 +25,20 @@ namespace seiche
     }
 
     /// s [Pa], symmetric, from the velocity gradient l [1/s].
-    template <int dim>
-    dealii::Tensor<2, dim>
-    stress(const dealii::Tensor<2, dim> &velocity_gradient) const
+    template <int dim, typename Number>
+    dealii::Tensor<2, dim, Number>
+    stress(const dealii::Tensor<2, dim, Number> &velocity_gradient) const
     {
-      const double           mean = dealii::trace(velocity_gradient) / 3.;
-      dealii::Tensor<2, dim> s;
+      const Number mean = dealii::trace(velocity_gradient) * (1. / 3.);
+      dealii::Tensor<2, dim, Number> s;
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = 0; j < dim; ++j)
-          s[i][j] = dynamic_viscosity *
-                    (velocity_gradient[i][j] + velocity_gradient[j][i] -
-                     (i == j ? 2. * mean : 0.));
+          {
+            s[i][j] = velocity_gradient[i][j] + velocity_gradient[j][i];
+            if (i == j)
+              s[i][j] -= 2. * mean;
+            s[i][j] *= dynamic_viscosity;
+          }
       return s;
     }
 

@@ -17,32 +17,36 @@ namespace seiche
   {
     bool logarithmic = false;
 
-    double
-    strain(const double J) const
+    template <typename Number>
+    Number
+    strain(const Number J) const
     {
-      return logarithmic ? std::log(J) : J - 1.;
+      using std::log;
+      return logarithmic ? log(J) : J - 1.;
     }
 
     /// J dphi/dJ: dphi = slope div_1 du.
-    double
-    slope(const double J) const
+    template <typename Number>
+    Number
+    slope(const Number J) const
     {
-      return logarithmic ? 1. : J;
+      return logarithmic ? Number(1.) : J;
     }
   };
 
   /// Volumetric strain at J_n + share (J_1 - J_n), share the time within the
   /// step, and its derivative: dphi = slope div_1 du.
+  template <typename Number>
   struct VolumeStrain
   {
-    double value, slope;
+    Number value, slope;
 
     VolumeStrain(const VolumeLaw &law,
                  const double     share,
-                 const double     J_n,
-                 const double     J_1)
+                 const Number     J_n,
+                 const Number     J_1)
     {
-      const double J = J_1 - (1. - share) * (J_1 - J_n);
+      const Number J = J_1 - (1. - share) * (J_1 - J_n);
       value          = law.strain(J);
       slope          = share * J_1 / J * law.slope(J);
     }

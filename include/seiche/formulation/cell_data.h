@@ -46,9 +46,9 @@ namespace seiche
     alignas(64) NodalScalar projected_constraint;
 
     /// Body acceleration [m/s^2]: one value, or one per quadrature point.
-    dealii::Tensor<1, dim>              constant_body_force;
-    std::vector<dealii::Tensor<1, dim>> body_force;
-    bool                                body_force_varies = false;
+    dealii::Tensor<1, dim>               constant_body_force;
+    std::array<std::vector<double>, dim> body_force; // by component
+    bool                                 body_force_varies = false;
 
     // --- output; pressure rows and columns in the mixed form only
     alignas(64) NodalVector residual_u; ///< [N]
@@ -58,10 +58,16 @@ namespace seiche
     alignas(64) double pu[dim][n_nodes][n_nodes]; ///< column component first
     alignas(64) double pp[n_nodes][n_nodes];
 
-    const dealii::Tensor<1, dim> &
+    /// At the point q, or at as many as a Number has.
+    template <typename Number = double>
+    dealii::Tensor<1, dim, Number>
     body_force_at(const unsigned int q) const
     {
-      return body_force_varies ? body_force[q] : constant_body_force;
+      dealii::Tensor<1, dim, Number> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = body_force_varies ? load<Number>(&body_force[d][q]) :
+                                        Number(constant_body_force[d]);
+      return result;
     }
 
     void

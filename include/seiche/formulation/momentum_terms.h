@@ -9,35 +9,39 @@ namespace seiche
 {
   /**
    * @brief The terms of the momentum balance that all formulations share:
-   * inertia, body force, stress, their derivatives.
+   * inertia, body force, stress, their derivatives; at several points at once.
    */
   template <int dim, int degree>
   struct MomentumTerms
   {
     static constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
+    using Kinematics                      = PointKinematics<dim, degree, Lanes>;
+    using Vector                          = dealii::Tensor<1, dim, Lanes>;
+    using Matrix                          = dealii::Tensor<2, dim, Lanes>;
 
     /// Add m N (a - b) + V_t S:grad_t w; @p stress is the whole S = s - p I.
     /// A sliver cell takes the acceleration at the node (lumped mass).
     static void
-    add_residual(CellData<dim, degree>              &cell,
-                 const PointKinematics<dim, degree> &point,
-                 const double                        mass,
-                 const double                        volume_t,
-                 const dealii::Tensor<1, dim>       &acceleration,
-                 const dealii::Tensor<1, dim>       &body_force,
-                 const dealii::Tensor<2, dim>       &stress)
+    add_residual(const CellData<dim, degree> &cell,
+                 const Kinematics            &point,
+                 const Lanes                  mass,
+                 const Lanes                  volume_t,
+                 const Vector                &acceleration,
+                 const Vector                &body_force,
+                 const Matrix                &stress,
+                 Lanes (&residual)[dim][n_nodes])
     {
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            double force =
+            Lanes force =
               cell.sliver ?
                 mass * point.lumped(a) *
                   (cell.acceleration[i][a] - body_force[i]) :
                 mass * point.N[a] * (acceleration[i] - body_force[i]);
             for (unsigned int j = 0; j < dim; ++j)
               force += volume_t * stress[i][j] * point.gradient_t[j][a];
-            cell.residual_u[i][a] += force;
+            residual[i][a] += force;
           }
     }
 
@@ -49,34 +53,35 @@ namespace seiche
      * where ds = 2 mu dev(sym((c_r I - theta l) grad_t du)) and -bulk g is the
      * pressure that depends on u: tau2 and the constraint
      * (mixed), kappa and the volume (irreducible); @p slope[k][b] is dg/du_kb.
+     * The first @p n_points of the lanes count.
      */
     static void
-    add_tangent(CellData<dim, degree>              &cell,
-                const PointKinematics<dim, degree> &point,
-                const double                        mass,
-                const double                        volume_t,
-                const double                        viscosity,
-                const double                        bulk,
-                const double (&slope)[dim][n_nodes],
-                const dealii::Tensor<2, dim> &velocity_gradient,
-                const dealii::Tensor<2, dim> &stress)
+    add_tangent(CellData<dim, degree> &cell,
+                const Kinematics      &point,
+                const unsigned int     n_points,
+                const Lanes            mass,
+                const Lanes            volume_t,
+                const double           viscosity,
+                const Lanes            bulk,
+                const Lanes (&slope)[dim][n_nodes],
+                const Matrix &velocity_gradient,
+                const Matrix &stress)
     {
-      using Nodal            = double[n_nodes];
+      add_inertia(cell, point, n_points, mass * cell.coefficients.inertia);
       const double theta     = cell.coefficients.theta;
       const auto  &g         = point.gradient_t;
-      const double inertia   = mass * cell.coefficients.inertia;
-      const double viscous_t = viscosity * volume_t;
+      const Lanes  viscous_t = viscosity * volume_t;
       // ds = 2 mu dev(sym(m grad_t du))
-      dealii::Tensor<2, dim> m = -theta * velocity_gradient;
+      Matrix m = -theta * velocity_gradient;
       for (unsigned int i = 0; i < dim; ++i)
         m[i][i] += cell.coefficients.rate;
 
       // theta V_t (S grad N), mu V_t m^T grad N, what multiplies div_t w
-      alignas(64) double Sg[dim][n_nodes], mg[dim][n_nodes], h[dim][n_nodes];
+      Lanes Sg[dim][n_nodes], mg[dim][n_nodes], h[dim][n_nodes];
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            double force = 0., rate = 0.;
+            Lanes force = 0., rate = 0.;
             for (unsigned int j = 0; j < dim; ++j)
               {
                 force += stress[i][j] * g[j][a];
@@ -86,42 +91,96 @@ namespace seiche
             mg[i][a] = viscous_t * rate;
             h[i][a]  = bulk * volume_t * slope[i][a] - 2. / 3. * mg[i][a];
           }
+      const auto g_rows = rows_of<dim>(g), h_rows = rows_of<dim>(h),
+                 Sg_rows = rows_of<dim>(Sg), mg_rows = rows_of<dim>(mg);
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          Row<n_nodes> sums[dim][n_nodes];
+          for (unsigned int k = 0; k < dim; ++k)
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              sums[k][a] = load_row(cell.uu[i][k][a]);
+          for (unsigned int q = 0; q < n_points; ++q)
+            for (unsigned int k = 0; k < dim; ++k)
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                {
+                  sums[k][a] += g_rows[i].values[q][a] * h_rows[k].row(q);
+                  sums[k][a] -= g_rows[k].values[q][a] * Sg_rows[i].row(q);
+                  sums[k][a] += Sg_rows[i].values[q][a] * g_rows[k].row(q);
+                  sums[k][a] += mg_rows[k].values[q][a] * g_rows[i].row(q);
+                }
+          for (unsigned int k = 0; k < dim; ++k)
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              store_row(sums[k][a], cell.uu[i][k][a]);
+        }
+      if (viscosity > 0.)
+        add_laplacian(cell, point, n_points, viscous_t * m);
+    }
+
+  private:
+    /// Add c_ik grad_t w_i.grad_t du_k.
+    static void
+    add_laplacian(CellData<dim, degree> &cell,
+                  const Kinematics      &point,
+                  const unsigned int     n_points,
+                  const Matrix          &c)
+    {
+      const auto         g = rows_of<dim>(point.gradient_t);
+      alignas(64) double c_q[n_lanes_of_register][dim][dim];
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int k = 0; k < dim; ++k)
           {
-            // factors of g: viscous terms and (div_t du) S
-            alignas(64) double of_g[dim][n_nodes];
-            for (unsigned int j = 0; j < dim; ++j)
-              for (unsigned int a = 0; a < n_nodes; ++a)
-                of_g[j][a] = viscous_t * m[i][k] * g[j][a] +
-                             (j == k ? Sg[i][a] : 0.) +
-                             (j == i ? mg[k][a] : 0.);
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              {
-                const double of_Sg = g[k][a], of_h = g[i][a];
-                Nodal       &row = cell.uu[i][k][a];
-#pragma omp simd
-                for (unsigned int b = 0; b < n_nodes; ++b)
-                  {
-                    double sum = of_h * h[k][b] - of_Sg * Sg[i][b];
-                    for (unsigned int j = 0; j < dim; ++j)
-                      sum += of_g[j][a] * g[j][b];
-                    row[b] += sum;
-                  }
-              }
+            const LaneValues values(c[i][k]);
+            for (unsigned int q = 0; q < n_points; ++q)
+              c_q[q][i][k] = values[q];
           }
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          if (cell.sliver)
-            cell.uu[i][i][a][a] += inertia * point.lumped(a);
-          else
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          Row<n_nodes> sums[dim][dim];
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int k = 0; k < dim; ++k)
+              sums[i][k] = load_row(cell.uu[i][k][a]);
+          for (unsigned int q = 0; q < n_points; ++q)
             {
-              const double weight = inertia * point.N[a];
-              Nodal       &row    = cell.uu[i][i][a];
-#pragma omp simd
-              for (unsigned int b = 0; b < n_nodes; ++b)
-                row[b] += weight * point.N[b];
+              Row<n_nodes> product = g[0].values[q][a] * g[0].row(q);
+              for (unsigned int j = 1; j < dim; ++j)
+                product += g[j].values[q][a] * g[j].row(q);
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int k = 0; k < dim; ++k)
+                  sums[i][k] += c_q[q][i][k] * product;
             }
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int k = 0; k < dim; ++k)
+              store_row(sums[i][k], cell.uu[i][k][a]);
+        }
+    }
+
+    /// Add m du.w, lumped in a sliver cell.
+    static void
+    add_inertia(CellData<dim, degree> &cell,
+                const Kinematics      &point,
+                const unsigned int     n_points,
+                const Lanes            mass)
+    {
+      if (cell.sliver)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            const double weight = sum(mass * point.lumped(a));
+            for (unsigned int i = 0; i < dim; ++i)
+              cell.uu[i][i][a][a] += weight;
+          }
+      else
+        {
+          const PointRows<n_nodes> N(point.N);
+          const LaneValues         m(mass);
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            {
+              Row<n_nodes> row = 0.;
+              for (unsigned int q = 0; q < n_points; ++q)
+                row += m[q] * N.values[q][a] * N.row(q);
+              for (unsigned int i = 0; i < dim; ++i)
+                store_row(load_row(cell.uu[i][i][a]) + row, cell.uu[i][i][a]);
+            }
+        }
     }
   };
 } // namespace seiche

@@ -14,59 +14,64 @@ namespace seiche
   /// increment that no step size makes small, and Newton fails.
   constexpr double largest_recovery = 0.25;
 
-  /// Fields and subscales at one quadrature point (doc/theory.md, VMS).
-  template <int dim, int degree>
+  /// Fields and subscales at one quadrature point, or at several (Number =
+  /// Lanes); doc/theory.md, VMS.
+  template <int dim, int degree, typename Number = double>
   struct VMSPointState
   {
     /// r = -grad p alone: split orthogonal subscales in Newton's iteration.
-    const bool             is_split;
-    double                 volume_n, volume_t, rho_t;
-    double                 J_slope;       // dphi(J) = J_slope div_1 du
-    double                 constraint;    // g = phi(J) + p/kappa
-    double                 fine_pressure; // p~ = -tau2 (g - Pi g)
-    dealii::Tensor<1, dim> acceleration, pressure_gradient;
-    dealii::Tensor<1, dim> momentum_residual; // r - Pi r
-    dealii::Tensor<1, dim> projected;         // Pi r
-    dealii::Tensor<2, dim> velocity_gradient; // if a term has it, as the next
-    dealii::Tensor<2, dim> acceleration_gradient;
-    dealii::Tensor<2, dim> stress;            // S = s - (p + p~) I
-    dealii::Tensor<1, dim> stress_divergence; // div s, zero for FE_Q(1)
-    dealii::Tensor<3, dim> curvature; // v_i,jk, for FE_Q(2) with viscosity
+    const bool                     is_split;
+    Number                         volume_n, volume_t, rho_t;
+    Number                         J_slope;       // dphi(J) = J_slope div_1 du
+    Number                         constraint;    // g = phi(J) + p/kappa
+    Number                         fine_pressure; // p~ = -tau2 (g - Pi g)
+    dealii::Tensor<1, dim, Number> acceleration, pressure_gradient;
+    dealii::Tensor<1, dim, Number> momentum_residual; // r - Pi r
+    dealii::Tensor<1, dim, Number> projected;         // Pi r
+    dealii::Tensor<2, dim, Number>
+      velocity_gradient; // if a term has it, as the next
+    dealii::Tensor<2, dim, Number> acceleration_gradient;
+    dealii::Tensor<2, dim, Number> stress;            // S = s - (p + p~) I
+    dealii::Tensor<1, dim, Number> stress_divergence; // div s, zero for FE_Q(1)
+    dealii::Tensor<3, dim, Number>
+      curvature; // v_i,jk, for FE_Q(2) with viscosity
 
-    VMSPointState(const CellData<dim, degree>  &cell,
-                  PointKinematics<dim, degree> &point,
-                  const unsigned int            q,
-                  const MaterialConstants      &material,
-                  const Tau                    &tau,
-                  const bool                    splits)
+    VMSPointState(const CellData<dim, degree>          &cell,
+                  PointKinematics<dim, degree, Number> &point,
+                  const unsigned int                    q,
+                  const MaterialConstants              &material,
+                  const Tau                            &tau,
+                  const bool                            splits)
       : is_split(splits && cell.orthogonal)
     {
       const auto &quadrature = cell.quadrature;
       // weights use the relaxed J, never the drifted one
-      double error =
-        cell.coefficients.volume_recovery * (quadrature.volume_ratio[q] - 1.);
+      using std::max, std::min; // or those of lanes
+      Number error = cell.coefficients.volume_recovery *
+                     (load<Number>(&quadrature.volume_ratio[q]) - 1.);
       if (std::isinf(material.bulk_modulus)) // else J carries the pressure
-        error = std::clamp(error, -largest_recovery, largest_recovery);
-      const double J_n = 1. + error;
-      volume_n         = J_n * quadrature.volume[q];
+        error =
+          min(max(error, Number(-largest_recovery)), Number(largest_recovery));
+      const Number J_n = 1. + error;
+      volume_n         = J_n * load<Number>(&quadrature.volume[q]);
       volume_t         = point.det_t * volume_n;
-      const VolumeStrain strain(material.volume_law,
-                                cell.coefficients.elastic_time,
-                                J_n,
-                                point.det_1 * J_n);
+      const VolumeStrain<Number> strain(material.volume_law,
+                                        cell.coefficients.elastic_time,
+                                        J_n,
+                                        point.det_1 * J_n);
       J_slope      = strain.slope;
-      rho_t        = quadrature.mass[q] / volume_t;
+      rho_t        = load<Number>(&quadrature.mass[q]) / volume_t;
       acceleration = point.value(cell.acceleration);
 
-      const double pressure = point.value(cell.pressure);
+      const Number pressure = point.value(cell.pressure);
       pressure_gradient     = point.gradient(cell.pressure, point.gradient_t);
-      constraint            = strain.value + pressure / material.bulk_modulus;
+      constraint = strain.value + pressure * (1. / material.bulk_modulus);
       const StepCoefficients &step = cell.coefficients;
       const bool viscous = step.viscous && !material.law.is_inviscid();
       if (viscous || step.rate_constraint != 0. || step.jerk_constraint != 0.)
         velocity_gradient =
           point.gradient(cell.rate_velocity, point.gradient_t);
-      const dealii::Tensor<2, dim> &l = velocity_gradient;
+      const dealii::Tensor<2, dim, Number> &l = velocity_gradient;
       if (step.rate_constraint != 0.)
         constraint -= step.rate_constraint * dealii::trace(l * l);
       if (step.jerk_constraint != 0.)
@@ -80,7 +85,8 @@ namespace seiche
       fine_pressure     = -tau.continuity * constraint;
       momentum_residual = -pressure_gradient;
       if (!is_split)
-        momentum_residual += rho_t * (cell.body_force_at(q) - acceleration);
+        momentum_residual +=
+          rho_t * (cell.template body_force_at<Number>(q) - acceleration);
 
       if (viscous)
         {
@@ -108,9 +114,9 @@ namespace seiche
     /// tr(M grad_t du), M = (3 grad a - 6 l^2)(c_r I - theta l)
     /// + 3 l (C_a I - theta grad a) up to cyclic order.
     void
-    constraint_slope(const CellData<dim, degree>        &cell,
-                     const PointKinematics<dim, degree> &point,
-                     double (&slope)[dim][CellData<dim, degree>::n_nodes]) const
+    constraint_slope(const CellData<dim, degree>                &cell,
+                     const PointKinematics<dim, degree, Number> &point,
+                     Number (&slope)[dim][CellData<dim, degree>::n_nodes]) const
     {
       constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
       for (unsigned int k = 0; k < dim; ++k)
@@ -119,15 +125,16 @@ namespace seiche
       const StepCoefficients &c = cell.coefficients;
       if (c.jerk_constraint == 0.)
         return;
-      const dealii::Tensor<2, dim> &l      = velocity_gradient;
-      const dealii::Tensor<2, dim> &grad_a = acceleration_gradient;
-      dealii::Tensor<2, dim> of_l = -c.theta * l, of_a = -c.theta * grad_a;
+      const dealii::Tensor<2, dim, Number> &l      = velocity_gradient;
+      const dealii::Tensor<2, dim, Number> &grad_a = acceleration_gradient;
+      dealii::Tensor<2, dim, Number>        of_l   = -c.theta * l,
+                                     of_a          = -c.theta * grad_a;
       for (unsigned int i = 0; i < dim; ++i)
         {
           of_l[i][i] += c.rate;
           of_a[i][i] += c.inertia;
         }
-      const dealii::Tensor<2, dim> M =
+      const dealii::Tensor<2, dim, Number> M =
         c.jerk_constraint * ((3. * grad_a - 6. * l * l) * of_l + 3. * l * of_a);
       for (unsigned int k = 0; k < dim; ++k)
         for (unsigned int j = 0; j < dim; ++j)
@@ -137,16 +144,16 @@ namespace seiche
 
     /// div s_i = mu (v_i,jj + v_j,ij/3)
     void
-    add_second_derivatives(const CellData<dim, degree>  &cell,
-                           PointKinematics<dim, degree> &point,
-                           const unsigned int            q,
-                           const double                  viscosity)
+    add_second_derivatives(const CellData<dim, degree>          &cell,
+                           PointKinematics<dim, degree, Number> &point,
+                           const unsigned int                    q,
+                           const double                          viscosity)
     {
       point.evaluate_second_derivatives(cell, q);
       for (unsigned int j = 0; j < dim; ++j)
         for (unsigned int k = 0; k < dim; ++k)
           {
-            const dealii::Tensor<1, dim> v =
+            const dealii::Tensor<1, dim, Number> v =
               point.sum(cell.rate_velocity, point.second[j][k]);
             for (unsigned int i = 0; i < dim; ++i)
               curvature[i][j][k] = v[i];
@@ -162,10 +169,10 @@ namespace seiche
     /// derivative[i][k][b].
     void
     stress_divergence_derivative(
-      const CellData<dim, degree>        &cell,
-      const PointKinematics<dim, degree> &point,
-      const double                        factor,
-      double (&derivative)[dim][dim][CellData<dim, degree>::n_nodes]) const
+      const CellData<dim, degree>                &cell,
+      const PointKinematics<dim, degree, Number> &point,
+      const Number                                factor,
+      Number (&derivative)[dim][dim][CellData<dim, degree>::n_nodes]) const
     {
       const double theta = cell.coefficients.theta;
       const double rate  = cell.coefficients.rate;
@@ -175,13 +182,13 @@ namespace seiche
       const auto  &h     = point.second;
       for (unsigned int b = 0; b < CellData<dim, degree>::n_nodes; ++b)
         {
-          double laplacian = 0.;
+          Number laplacian = 0.;
           for (unsigned int j = 0; j < dim; ++j)
             laplacian += h[j][j][b];
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int k = 0; k < dim; ++k)
               {
-                double value =
+                Number value =
                   rate * h[k][i][b] / 3. - theta * l[i][k] * laplacian;
                 if (i == k)
                   value += rate * laplacian;

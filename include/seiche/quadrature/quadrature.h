@@ -4,6 +4,7 @@
 
 #include <seiche/grid/fill.h>
 #include <seiche/points/point_cloud.h>
+#include <seiche/utilities/lanes.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -30,12 +31,14 @@ namespace seiche
     dealii::AlignedVector<double> volume;       ///< [m^dim] V0, with the weight
     dealii::AlignedVector<double> volume_ratio; ///< [-] J at t_n
 
-    dealii::Point<dim>
+    /// The point q, or as many from q on as a Number has (Lanes).
+    template <typename Number = double>
+    dealii::Point<dim, Number>
     point(const unsigned int q) const
     {
-      dealii::Point<dim> x;
+      dealii::Point<dim, Number> x;
       for (unsigned int d = 0; d < dim; ++d)
-        x[d] = unit[d][q];
+        x[d] = load<Number>(&unit[d][q]);
       return x;
     }
 
@@ -44,6 +47,10 @@ namespace seiche
     {
       size = 0;
     }
+
+    /// Fill the last Lanes with the first point, of negligible weight.
+    void
+    pad();
 
     void
     push_back(const dealii::Point<dim> &x,

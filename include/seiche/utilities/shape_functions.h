@@ -4,6 +4,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace seiche
@@ -60,10 +62,11 @@ namespace seiche
     }
 
     /// Values N [n_nodes] at @p unit in the unit cell.
+    template <typename Number>
     static void
-    values(const dealii::Point<dim> &unit, double N[])
+    values(const dealii::Point<dim, Number> &unit, Number N[])
     {
-      double line[dim][n_line];
+      Number line[dim][n_line];
       for (unsigned int d = 0; d < dim; ++d)
         line_values(unit[d], line[d]);
       for (unsigned int i = 0; i < n_nodes; ++i)
@@ -103,16 +106,17 @@ namespace seiche
 
     /// Second derivative of shape function i in directions d and e of the
     /// unit cell.
-    static double
-    second_derivative(const dealii::Point<dim> &unit,
-                      const unsigned int        i,
-                      const unsigned int        d,
-                      const unsigned int        e)
+    template <typename Number>
+    static Number
+    second_derivative(const dealii::Point<dim, Number> &unit,
+                      const unsigned int                i,
+                      const unsigned int                d,
+                      const unsigned int                e)
     {
-      double result = 1.;
+      Number result = 1.;
       for (unsigned int c = 0; c < dim; ++c)
         {
-          double line[n_line];
+          Number line[n_line];
           if (c == d && c == e)
             line_curvatures(line);
           else if (c == d || c == e)
@@ -126,15 +130,17 @@ namespace seiche
 
     /// Piecewise multilinear functions of the same nodes [n_nodes]: positive
     /// weights that sum to one, for lumped masses.
+    template <typename Number>
     static void
-    hats(const dealii::Point<dim> &unit, double N[])
+    hats(const dealii::Point<dim, Number> &unit, Number N[])
     {
+      using std::abs, std::max; // or those of lanes
       if constexpr (degree == 1)
         return values(unit, N);
-      double line[dim][n_line];
+      Number line[dim][n_line];
       for (unsigned int d = 0; d < dim; ++d)
         for (unsigned int k = 0; k < n_line; ++k)
-          line[d][k] = std::max(0., 1. - std::abs(degree * unit[d] - k));
+          line[d][k] = max(Number(0.), 1. - abs(degree * unit[d] - double(k)));
       for (unsigned int i = 0; i < n_nodes; ++i)
         {
           N[i] = line[0][place(i, 0)];
@@ -192,8 +198,9 @@ namespace seiche
     }
 
     // the functions of one direction
+    template <typename Number>
     static void
-    line_values(const double x, double (&N)[n_line])
+    line_values(const Number x, Number (&N)[n_line])
     {
       if constexpr (degree == 1)
         {
@@ -208,8 +215,9 @@ namespace seiche
         }
     }
 
+    template <typename Number>
     static void
-    line_slopes(const double x, double (&dN)[n_line])
+    line_slopes(const Number x, Number (&dN)[n_line])
     {
       if constexpr (degree == 1)
         {
@@ -224,8 +232,9 @@ namespace seiche
         }
     }
 
+    template <typename Number>
     static void
-    line_curvatures(double (&ddN)[n_line])
+    line_curvatures(Number (&ddN)[n_line])
     {
       if constexpr (degree == 1)
         ddN[0] = ddN[1] = 0.;
