@@ -32,6 +32,11 @@ namespace seiche
     constexpr types::global_dof_index schur_direct_below =
       dim == 2 ? 2000 : 1000;
 
+    /// The same for those that are symmetric, on a single rank.
+    template <int dim>
+    constexpr types::global_dof_index schur_cholesky_below =
+      dim == 2 ? 8000 : 1500;
+
     /// Least volume of a node [(smallest edge/degree)^dim] for the viscous
     /// part of S^-1, which divides by it: a point on a grid line gives nodes
     /// beyond it 1e-50 of one. Measured, doc/performance.md.
@@ -172,6 +177,7 @@ namespace seiche
       }
 
     schur_amg.reset(); // its smoothers refer to the old matrix
+    schur_cholesky.clear();
     if (scaled_block)
       {
         schur = epetra_copy(*matrix,
@@ -208,9 +214,12 @@ namespace seiche
         for (int i = 0; i < schur->NumMyRows(); ++i)
           diagonal_entry(*schur, i) *= 1. + closed_shift;
       }
-    schur_generation = matrix->generation();
-    if (matrix->occupancy.n_global_nodes() < schur_direct_below<dim> &&
-        schur_factors.initialize(*schur))
+    schur_generation                      = matrix->generation();
+    const types::global_dof_index n_nodes = matrix->occupancy.n_global_nodes();
+    if (scaled_block && n_nodes < schur_cholesky_below<dim> &&
+        schur->Comm().NumProc() == 1 && schur_cholesky.initialize(*schur))
+      return;
+    if (n_nodes < schur_direct_below<dim> && schur_factors.initialize(*schur))
       return;
     schur_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
     // measured (doc/performance.md): fewer iterations than with Chebyshev
@@ -263,6 +272,8 @@ namespace seiche
   {
     if (schur_amg)
       schur_amg->vmult(z, r);
+    else if (!schur_cholesky.is_empty())
+      schur_cholesky.solve(z.begin(), r.begin());
     else
       {
         std::copy(r.begin(), r.end(), schur_factors.right_hand_side().Values());

@@ -4,6 +4,7 @@
 
 #include <seiche/solve/assembler.h>
 #include <seiche/solve/block_ilu.h>
+#include <seiche/solve/cholesky_factors.h>
 #include <seiche/solve/sparse_factors.h>
 
 #include <deal.II/lac/trilinos_precondition.h>
@@ -20,7 +21,8 @@ namespace seiche
    * is S = D/(rho C_a tau1), Laplacian-like, so that one scalar ML hierarchy
    * serves all solves of a step; where subscales vary it is formed with the
    * lumped inertia (D and C A^-1 G nearly cancel where tau1 is large), without
-   * subscales with diag(A). A small S is factorised. P_A: where A is close to a
+   * subscales with diag(A). A small S is factorised (on one rank by Cholesky's
+   * method where it is symmetric, else by LU). P_A: where A is close to a
    * mass matrix, BlockILU; ML with the components' constants where viscosity,
    * tau2 or the bulk modulus dominate. Viscous fluids add 2 mu c_r/M_p to S^-1
    * (Cahouet and Chabard 1988). (doc/theory.md, "Linear systems")
@@ -98,8 +100,11 @@ namespace seiche
     double       velocity_factor     = 1.;
 
     std::unique_ptr<Epetra_CrsMatrix> schur;
-    mutable SparseFactors schur_factors; ///< where there is no schur_amg
+    // one of these three
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> schur_amg;
+    mutable CholeskyFactors                                    schur_cholesky;
+    mutable SparseFactors                                      schur_factors;
+
     unsigned int schur_generation = 0;
     double       schur_factor     = 1.; ///< S^-1 = factor * hierarchy
 
