@@ -31,6 +31,11 @@ namespace seiche
     /// may change from step to step.
     constexpr double safety = 0.9, largest_growth = 1.5, largest_cut = 0.3;
 
+    /// Of the size that Step and CFL number allow, what the error may cut it
+    /// to: noise of the pressure grows in still smaller steps, and so would the
+    /// estimate (doc/methods.md, size of the step).
+    constexpr double least_share = 0.02;
+
     /// A step with more than this multiple of its share of the error is
     /// repeated.
     constexpr double repeat_above = 2.;
@@ -58,7 +63,7 @@ namespace seiche
                       control,
                       "fixed; CFL: from the largest speed; error: so that the "
                       "errors of all steps add up to Error tolerance, CFL "
-                      "number at most",
+                      "number at most, and 1/50 of that at least",
                       Patterns::Selection("fixed|CFL|error"));
     prm.add_parameter("CFL number",
                       cfl,
@@ -126,13 +131,17 @@ namespace seiche
   {
     const bool is_controlled = parameters.control != "fixed";
     dt                       = parameters.step;
-    if (parameters.controls_error())
-      dt = wanted_dt > 0. ? std::min(dt, wanted_dt) : first_share * dt;
     if (is_controlled)
       {
         if (speed_per_cell * dt > parameters.cfl)
           dt = parameters.cfl / speed_per_cell;
         dt = std::max(dt, smallest_step());
+      }
+    if (parameters.controls_error())
+      {
+        least_accurate = least_share * dt;
+        dt = wanted_dt > 0. ? std::clamp(wanted_dt, least_accurate, dt) :
+                              first_share * dt;
       }
     dt                = std::max(dt * reduction, smallest_step());
     const double rest = parameters.end_time - now;
@@ -172,13 +181,12 @@ namespace seiche
       return true;
     // the local error grows with dt^3, its share of the tolerance with dt
     const double allowed = parameters.error_tolerance * dt;
-    const double factor  = error > 0. ?
-                             std::clamp(safety * std::sqrt(allowed / error),
-                                       largest_cut,
-                                       largest_growth) :
-                             largest_growth;
-    const bool stays = error <= repeat_above * allowed || dt <= smallest_step();
-    wanted_dt        = std::max(factor * dt, smallest_step());
+    // an error that is no number cuts the step
+    const double factor =
+      std::min(largest_growth,
+               std::max(largest_cut, safety * std::sqrt(allowed / error)));
+    const bool stays = error <= repeat_above * allowed || dt <= least_accurate;
+    wanted_dt        = std::max(factor * dt, least_accurate);
     if (stays)
       step_error = error;
     else

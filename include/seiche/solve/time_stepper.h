@@ -121,13 +121,14 @@ namespace seiche
     double                   now         = 0.; ///< [s] start of the step
     double                   dt          = 0.; ///< [s] of the step
     double                   previous_dt = 0.; ///< [s] of the step before
-    double                   wanted_dt  = 0.; ///< [s] by the error; 0: none yet
-    double                   step_error = 0.; ///< [cells] of the step
-    double                   error_sum  = 0.; ///< [cells] of the steps before
-    double                   reduction  = 1.; ///< after failures
-    unsigned int             good_steps = 0;  ///< since the last failure
-    unsigned int             n_steps    = 0;
-    unsigned int             n_rejected = 0;
+    double                   wanted_dt = 0.; ///< [s] by the error; 0: none yet
+    double least_accurate   = 0.; ///< [s] the error cuts a step to this at most
+    double step_error       = 0.; ///< [cells] of the step
+    double error_sum        = 0.; ///< [cells] of the steps before
+    double reduction        = 1.; ///< after failures
+    unsigned int good_steps = 0;  ///< since the last failure
+    unsigned int n_steps    = 0;
+    unsigned int n_rejected = 0;
   };
 } // namespace seiche
 
