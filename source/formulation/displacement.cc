@@ -11,7 +11,8 @@ namespace seiche
     template <int dim, int degree>
     struct PointState
     {
-      Lanes                 volume_t, strain_slope; // VolumeStrain::slope
+      Lanes                 volume_t, pressure;
+      Lanes                 strain_slope; // VolumeStrain::slope
       Tensor<2, dim, Lanes> velocity_gradient, stress;
 
       PointState(const CellData<dim, degree>               &cell,
@@ -33,7 +34,7 @@ namespace seiche
               point.gradient(cell.rate_velocity, point.gradient_t);
             stress = material.law.stress(velocity_gradient);
           }
-        const Lanes pressure = -material.bulk_modulus * strain.value;
+        pressure = -material.bulk_modulus * strain.value;
         for (unsigned int i = 0; i < dim; ++i)
           stress[i][i] -= pressure;
       }
@@ -107,7 +108,7 @@ namespace seiche
   Displacement<dim>::add_tangent(CellData<dim, degree> &cell) const
   {
     cell.clear_tangent();
-    const double viscosity = this->material.viscosity(cell.coefficients);
+    const double viscosity = this->tangent_viscosity(cell);
     PointKinematics<dim, degree, Lanes> point;
     for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
       {
@@ -123,7 +124,8 @@ namespace seiche
           this->material.bulk_modulus * state.strain_slope,
           point.gradient_1,
           state.velocity_gradient,
-          state.stress);
+          state.stress,
+          state.pressure);
       }
   }
 

@@ -101,7 +101,7 @@ namespace seiche
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     cell.clear_tangent();
     const Tau    tau       = this->tau(cell);
-    const double viscosity = this->material.viscosity(cell.coefficients);
+    const double viscosity = this->tangent_viscosity(cell);
     const double theta     = cell.coefficients.theta;
     const double kappa     = this->material.bulk_modulus;
     const double weight_g  = 1. - tau.continuity / kappa;
@@ -126,7 +126,8 @@ namespace seiche
                                                 Lanes(tau.continuity),
                                                 h,
                                                 state.velocity_gradient,
-                                                state.stress);
+                                                state.stress,
+                                                state.pressure);
 
         // V_t tau1 {theta [(grad q.grad p) div du + grad q.(grad du) r
         //                  - grad p.(grad du)^T grad q] + rho C_a grad q.du}

@@ -94,7 +94,10 @@ namespace seiche
     if (!material_is_found)
       find_material();
     state.time = time_stepper.time();
-    state.dt   = time_stepper.next_step(speed_per_cell());
+    {
+      const TimerTree::Scope scope_size(timer, "step size");
+      state.dt = time_stepper.next_step(speed_per_cell());
+    }
     while (true)
       {
         const std::string failure = try_step();
@@ -206,11 +209,19 @@ namespace seiche
   Simulation<dim>::speed_per_cell() const
   {
     double largest = 0.;
-    for (std::size_t p = 0; p < points.size(); ++p)
-      for (unsigned int d = 0; d < dim; ++d)
-        largest = std::max(largest,
-                           std::abs(points.data(PointColumn::velocity, d)[p]) /
-                             locator.reach(points.cells()[p])[d]);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double *velocity = points.data(PointColumn::velocity, d);
+        for (const unsigned int cell : occupancy.occupied_cells())
+          {
+            double speed = 0.;
+            for (std::size_t p = points.first_point(cell);
+                 p < points.first_point(cell + 1);
+                 ++p)
+              speed = std::max(speed, std::abs(velocity[p]));
+            largest = std::max(largest, speed / locator.reach(cell)[d]);
+          }
+      }
     largest =
       std::max(largest,
                step_solver.wall_way(time_stepper.time(), scene.time.step) /

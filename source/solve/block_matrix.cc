@@ -25,8 +25,9 @@ namespace seiche
       return;
     ++pattern_generation;
     const std::size_t n = pattern.n_entries();
-    displacement_columns.resize(n * dim * n_fields());
-    pressure_column.resize(with_pressure ? n * n_fields() : 0);
+    // and one number more, see Register
+    displacement_columns.resize(n * dim * n_fields() + 1);
+    pressure_column.resize(with_pressure ? n * n_fields() + 1 : 0);
     empty.assign(occupancy.n_own_nodes(), 0);
     source.reinit(pattern.make_partitioner(n_fields()));
     if (with_pressure)
@@ -176,11 +177,22 @@ namespace seiche
   void
   BlockMatrix<dim>::complete_diagonal()
   {
-    const unsigned int  n = n_fields(), n_own = occupancy.n_own_nodes();
-    std::vector<double> largest(2, 0.); // displacement, pressure
+    const unsigned int        n = n_fields(), n_own = occupancy.n_own_nodes();
+    std::vector<double>       largest(2, 0.); // displacement, pressure
+    std::vector<unsigned int> incomplete;
     for (unsigned int node = 0; node < n_own; ++node)
-      for (unsigned int i = 0; i < n; ++i)
-        largest[i / dim] = std::max(largest[i / dim], diagonal(node, i));
+      {
+        bool complete = true;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const double d   = diagonal(node, i);
+            largest[i / dim] = std::max(largest[i / dim], d);
+            complete &= d != 0.;
+          }
+        empty[node] = 0;
+        if (!complete)
+          incomplete.push_back(node);
+      }
     const MPI_Comm communicator =
       occupancy.scalar_partitioner()->get_mpi_communicator();
     Utilities::MPI::max(largest, communicator, largest);
@@ -188,7 +200,7 @@ namespace seiche
       if (value == 0.)
         value = 1.;
 
-    for (unsigned int node = 0; node < n_own; ++node)
+    for (const unsigned int node : incomplete)
       {
         const std::size_t entry    = pattern.diagonal_of(node);
         unsigned int      replaced = 0;

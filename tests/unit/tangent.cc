@@ -198,11 +198,44 @@ namespace
                       std::cout << "  relative error " << error << '\n';
                   }
   }
+
+  /// Viscous terms are in the tangent unless they are negligible.
+  template <int dim, int degree>
+  void
+  test_small_viscosity()
+  {
+    CellData<dim, degree> cell;
+    fill_cell(cell, /*theta=*/0.5, /*sliver=*/false);
+    const double            density = 3.;
+    const StepCoefficients &c       = cell.coefficients;
+    const double limit = negligible_viscosity * density * c.inertia / c.rate *
+                         std::pow(cell.size / degree, 2);
+    for (const double share : {0.99, 1.01})
+      {
+        const auto formulation =
+          make_formulation<dim>(FormulationParameters(),
+                                {density,
+                                 std::numeric_limits<double>::infinity(),
+                                 NewtonianLaw{share * limit},
+                                 VolumeLaw()});
+        const double error = tangent_error(*formulation, cell);
+        std::cout << dim << "D Q" << degree << " viscosity " << share
+                  << " of the limit: "
+                  << (error < 1e-6 ? "exact" :
+                      error < 1e-2 ? "left out" :
+                                     "WRONG")
+                  << '\n';
+      }
+  }
 } // namespace
 
 int
 main()
 {
+  test_small_viscosity<2, 1>();
+  test_small_viscosity<3, 1>();
+  test_small_viscosity<2, 2>();
+  test_small_viscosity<3, 2>();
   test<2, 1>();
   test<3, 1>();
   test<2, 2>();

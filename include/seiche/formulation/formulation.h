@@ -28,8 +28,12 @@ namespace seiche
     }
   };
 
+  /// Ratio of viscous forces to inertia in a cell, mu c_r/(rho C_a h^2), below
+  /// which the tangent leaves viscous terms out.
+  constexpr double negligible_viscosity = 1e-4;
+
   /**
-   * @brief A weak form: residual and exact tangent of one cell.
+   * @brief A weak form: residual and tangent of one cell.
    *
    * One virtual call a cell, for each element degree; the loops over
    * quadrature points and nodes are inside. Equations: doc/theory.md.
@@ -84,6 +88,21 @@ namespace seiche
     update_points(PointCloud<dim> &points) const
     {
       (void)points;
+    }
+
+    /// Viscosity [Pa s] of the tangent: none where it is so small beside
+    /// inertia that Newton's iteration does not miss it (doc/theory.md).
+    template <int degree>
+    double
+    tangent_viscosity(const CellData<dim, degree> &cell) const
+    {
+      const StepCoefficients &step      = cell.coefficients;
+      const double            viscosity = material.viscosity(step);
+      const double            h         = cell.size / degree;
+      return viscosity * step.rate < negligible_viscosity * material.density *
+                                       step.inertia * h * h ?
+               0. :
+               viscosity;
     }
 
     /// tau of a cell from its size and mean velocity.

@@ -50,10 +50,11 @@ namespace seiche
      * m C_a du.w + V_t ds:grad_t w
      * + theta V_t {(div_t du) S:grad_t w - S:(grad_t w grad_t du)}
      * + bulk V_t dg[du] div_t w,
-     * where ds = 2 mu dev(sym((c_r I - theta l) grad_t du)) and -bulk g is the
-     * pressure that depends on u: tau2 and the constraint
-     * (mixed), kappa and the volume (irreducible); @p slope[k][b] is dg/du_kb.
-     * The first @p n_points of the lanes count.
+     * where S = s - pressure I, ds = 2 mu dev(sym((c_r I - theta l) grad_t
+     * du)), and -bulk g is the pressure that depends on u: tau2 and the
+     * constraint (mixed), kappa and the volume (irreducible); @p slope[k][b] is
+     * dg/du_kb. Without @p viscosity s counts for nothing. The first
+     * @p n_points of the lanes count.
      */
     static void
     add_tangent(CellData<dim, degree> &cell,
@@ -65,34 +66,40 @@ namespace seiche
                 const Lanes            bulk,
                 const Lanes (&slope)[dim][n_nodes],
                 const Matrix &velocity_gradient,
-                const Matrix &stress)
+                const Matrix &stress,
+                const Lanes   pressure)
     {
       add_inertia(cell, point, n_points, mass * cell.coefficients.inertia);
-      const double theta     = cell.coefficients.theta;
-      const auto  &g         = point.gradient_t;
-      const Lanes  viscous_t = viscosity * volume_t;
-      // ds = 2 mu dev(sym(m grad_t du))
-      Matrix m = -theta * velocity_gradient;
-      for (unsigned int i = 0; i < dim; ++i)
-        m[i][i] += cell.coefficients.rate;
-
-      // theta V_t (S grad N), mu V_t m^T grad N, what multiplies div_t w
-      Lanes Sg[dim][n_nodes], mg[dim][n_nodes], h[dim][n_nodes];
+      const double theta = cell.coefficients.theta;
+      const auto  &g     = point.gradient_t;
+      const Lanes  turn  = theta * volume_t * pressure;
+      // what multiplies div_t w, and w_k with du_i,k
+      Lanes h[dim][n_nodes], back[dim][n_nodes];
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            Lanes force = 0., rate = 0.;
-            for (unsigned int j = 0; j < dim; ++j)
-              {
-                force += stress[i][j] * g[j][a];
-                rate += m[j][i] * g[j][a];
-              }
-            Sg[i][a] = theta * volume_t * force;
-            mg[i][a] = viscous_t * rate;
-            h[i][a]  = bulk * volume_t * slope[i][a] - 2. / 3. * mg[i][a];
+            back[i][a] = turn * g[i][a];
+            h[i][a]    = bulk * volume_t * slope[i][a] - back[i][a];
           }
+      if (viscosity > 0.)
+        {
+          const Matrix m =
+            rate_of_increment(cell, velocity_gradient, viscosity * volume_t);
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              {
+                Lanes rate = 0.;
+                for (unsigned int j = 0; j < dim; ++j)
+                  rate += m[j][i] * g[j][a];
+                back[i][a] += rate;
+                h[i][a] -= 2. / 3. * rate;
+              }
+          add_laplacian(cell, point, n_points, m);
+          add_turned_stress(
+            cell, point, n_points, theta * volume_t, stress, pressure);
+        }
       const auto g_rows = rows_of<dim>(g), h_rows = rows_of<dim>(h),
-                 Sg_rows = rows_of<dim>(Sg), mg_rows = rows_of<dim>(mg);
+                 back_rows = rows_of<dim>(back);
       for (unsigned int i = 0; i < dim; ++i)
         {
           Row<n_nodes> sums[dim][n_nodes];
@@ -104,19 +111,64 @@ namespace seiche
               for (unsigned int a = 0; a < n_nodes; ++a)
                 {
                   sums[k][a] += g_rows[i].values[q][a] * h_rows[k].row(q);
-                  sums[k][a] -= g_rows[k].values[q][a] * Sg_rows[i].row(q);
-                  sums[k][a] += Sg_rows[i].values[q][a] * g_rows[k].row(q);
-                  sums[k][a] += mg_rows[k].values[q][a] * g_rows[i].row(q);
+                  sums[k][a] += back_rows[k].values[q][a] * g_rows[i].row(q);
                 }
           for (unsigned int k = 0; k < dim; ++k)
             for (unsigned int a = 0; a < n_nodes; ++a)
               store_row(sums[k][a], cell.uu[i][k][a]);
         }
-      if (viscosity > 0.)
-        add_laplacian(cell, point, n_points, viscous_t * m);
     }
 
   private:
+    /// m of ds = 2 mu dev(sym(m grad_t du)), times @p factor.
+    static Matrix
+    rate_of_increment(const CellData<dim, degree> &cell,
+                      const Matrix                &velocity_gradient,
+                      const Lanes                  factor)
+    {
+      Matrix m = -cell.coefficients.theta * velocity_gradient;
+      for (unsigned int i = 0; i < dim; ++i)
+        m[i][i] += cell.coefficients.rate;
+      return factor * m;
+    }
+
+    /// Add weight {(div_t du) s:grad_t w - s:(grad_t w grad_t du)}.
+    static void
+    add_turned_stress(CellData<dim, degree> &cell,
+                      const Kinematics      &point,
+                      const unsigned int     n_points,
+                      const Lanes            weight,
+                      const Matrix          &stress,
+                      const Lanes            pressure)
+    {
+      const auto &g = point.gradient_t;
+      Lanes       sg[dim][n_nodes];
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            Lanes force = pressure * g[i][a];
+            for (unsigned int j = 0; j < dim; ++j)
+              force += stress[i][j] * g[j][a];
+            sg[i][a] = weight * force;
+          }
+      const auto g_rows = rows_of<dim>(g), sg_rows = rows_of<dim>(sg);
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            Row<n_nodes> sums[n_nodes];
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              sums[a] = load_row(cell.uu[i][k][a]);
+            for (unsigned int q = 0; q < n_points; ++q)
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                {
+                  sums[a] += sg_rows[i].values[q][a] * g_rows[k].row(q);
+                  sums[a] -= g_rows[k].values[q][a] * sg_rows[i].row(q);
+                }
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              store_row(sums[a], cell.uu[i][k][a]);
+          }
+    }
+
     /// Add c_ik grad_t w_i.grad_t du_k.
     static void
     add_laplacian(CellData<dim, degree> &cell,

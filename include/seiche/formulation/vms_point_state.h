@@ -25,6 +25,7 @@ namespace seiche
     Number                         J_slope;       // dphi(J) = J_slope div_1 du
     Number                         constraint;    // g = phi(J) + p/kappa
     Number                         fine_pressure; // p~ = -tau2 (g - Pi g)
+    Number                         pressure;      // p + p~
     dealii::Tensor<1, dim, Number> acceleration, pressure_gradient;
     dealii::Tensor<1, dim, Number> momentum_residual; // r - Pi r
     dealii::Tensor<1, dim, Number> projected;         // Pi r
@@ -63,8 +64,8 @@ namespace seiche
       rho_t        = load<Number>(&quadrature.mass[q]) / volume_t;
       acceleration = point.value(cell.acceleration);
 
-      const Number pressure = point.value(cell.pressure);
-      pressure_gradient     = point.gradient(cell.pressure, point.gradient_t);
+      pressure          = point.value(cell.pressure);
+      pressure_gradient = point.gradient(cell.pressure, point.gradient_t);
       constraint = strain.value + pressure * (1. / material.bulk_modulus);
       const StepCoefficients &step = cell.coefficients;
       const bool viscous = step.viscous && !material.law.is_inviscid();
@@ -105,8 +106,9 @@ namespace seiche
           fine_pressure +=
             tau.continuity * point.value(cell.projected_constraint);
         }
+      pressure += fine_pressure;
       for (unsigned int i = 0; i < dim; ++i)
-        stress[i][i] -= pressure + fine_pressure;
+        stress[i][i] -= pressure;
     }
 
     /// slope[k][b] = d(constraint)/d(u_kb) without the pressure's share:

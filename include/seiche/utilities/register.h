@@ -27,7 +27,10 @@ namespace seiche
    * For products of small blocks, which compilers do not vectorise on their
    * own. (GCC's and Clang's vector extension, for any instruction set;
    * dealii::VectorizedArray is as wide as deal.II's own build, two doubles in
-   * Debian's.) @p n: up to 4; 3 leaves one lane empty.
+   * Debian's.) @p n: up to 4; for 3, four numbers are read and the last means
+   * nothing: one more must follow an array. (Three numbers copied through
+   * memory are read before they are all written: products took eight times as
+   * long.)
    */
   template <unsigned int n>
   struct Register
@@ -52,16 +55,9 @@ namespace seiche
     static Numbers
     gather(const Number *from)
     {
-      // three numbers one by one: a copy through memory would be read before
-      // it is all written (2D products took eight times as long)
-      if constexpr (n == 3)
-        return Numbers{from[0], from[1], from[2], Number()};
-      else
-        {
-          Numbers result;
-          std::memcpy(&result, from, n * sizeof(Number));
-          return result;
-        }
+      Numbers result;
+      std::memcpy(&result, from, sizeof(Numbers));
+      return result;
     }
   };
 } // namespace seiche
