@@ -28,6 +28,7 @@ namespace seiche
       {
         quadrature.clear();
         append(cell, 1., quadrature);
+        quadrature.pad();
       }
 
       /// The cell's points with a common weight.
@@ -72,14 +73,19 @@ namespace seiche
       get(const unsigned int   cell,
           CellQuadrature<dim> &quadrature) const override
       {
-        const double weight = fill.gauss_weight(cell);
+        const double     weight  = fill.gauss_weight(cell);
+        const double     measure = points.locator.measure(cell);
+        const bool       is_full = weight == 1. && ratio == GaussRatio::one;
+        constexpr double same = 1e-12; // equal cells differ in the last digits
+        if (is_full &&
+            std::abs(quadrature.full_measure - measure) < same * measure)
+          return;
         quadrature.clear();
         if (weight < 1.)
           material_points.append(cell, 1. - weight, quadrature);
         if (weight > 0.)
           {
-            const double      measure = points.locator.measure(cell);
-            const LinearRatio J       = ratio_of(cell);
+            const LinearRatio J = ratio_of(cell);
             for (unsigned int q = 0; q < gauss.size(); ++q)
               {
                 // the cell is the volume at t_n: V0 = V_n/J_n
@@ -91,6 +97,8 @@ namespace seiche
                                      J_q);
               }
           }
+        quadrature.pad();
+        quadrature.full_measure = is_full ? measure : 0.;
       }
 
     private:

@@ -19,6 +19,7 @@ namespace seiche
     , occupancy(grid_fill.occupancy)
     , body_force(force)
     , timer(timer_tree)
+    , tau_is_uniform(weak_form.stabilization.tau_is_uniform())
   {}
 
   template <int dim>
@@ -252,7 +253,7 @@ namespace seiche
     return formulation.has_pressure() && step.theta == 0. && !step.viscous &&
            (step.volume_recovery == 0. ||
             std::isinf(formulation.material.bulk_modulus)) &&
-           formulation.stabilization.tau_is_uniform() &&
+           tau_is_uniform &&
            std::all_of(u.begin(), u.end(), [](const double value) {
              return value == 0.;
            });

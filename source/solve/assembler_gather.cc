@@ -22,10 +22,8 @@ namespace seiche
                              std::cbrt(locator.measure(cell));
     data.sliver = free_surface.sliver_treatment && fill.is_sliver(cell);
     quadrature.get(cell, data.quadrature);
-    data.quadrature.pad();
 
     const unsigned int *nodes = occupancy.cell_nodes(cell);
-    double              start_velocity[dim][n_nodes];
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         {
@@ -36,19 +34,13 @@ namespace seiche
             step.inertia * u + inertia_offset->local_element(dof);
           data.rate_velocity[i][a] =
             step.rate * u + rate_offset->local_element(dof);
-          start_velocity[i][a] = state.velocity_start.local_element(dof);
         }
-    Tensor<1, dim> mean_velocity;
     for (unsigned int i = 0; i < dim; ++i)
       {
         occupancy.expand(cell, data.displacement[i]);
         occupancy.expand(cell, data.acceleration[i]);
         occupancy.expand(cell, data.rate_velocity[i]);
-        occupancy.expand(cell, start_velocity[i]);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          mean_velocity[i] += start_velocity[i][a] / n_nodes;
       }
-    data.start_speed = mean_velocity.norm();
     if (state.has_pressure())
       {
         for (unsigned int a = 0; a < n_nodes; ++a)
@@ -60,12 +52,37 @@ namespace seiche
       gather_projection<degree>(cell);
 
     data.body_force_varies = step.body_force && !body_force.is_constant();
-    if (data.body_force_varies)
-      gather_body_force<degree>(cell, start_velocity);
-    else
+    if (!data.body_force_varies)
       data.constant_body_force =
         step.body_force ? body_force.constant_value() : Tensor<1, dim>();
+    if (data.body_force_varies || !tau_is_uniform)
+      gather_start_velocity<degree>(cell, state);
     return data;
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  Assembler<dim>::gather_start_velocity(const unsigned int    cell,
+                                        const GridState<dim> &state)
+  {
+    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
+    CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
+    const unsigned int    *nodes   = occupancy.cell_nodes(cell);
+    double                 start_velocity[dim][n_nodes];
+    Tensor<1, dim>         mean_velocity;
+    for (unsigned int i = 0; i < dim; ++i)
+      {
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          start_velocity[i][a] =
+            state.velocity_start.local_element(dim * nodes[a] + i);
+        occupancy.expand(cell, start_velocity[i]);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          mean_velocity[i] += start_velocity[i][a] / n_nodes;
+      }
+    data.start_speed = mean_velocity.norm();
+    if (data.body_force_varies)
+      gather_body_force<degree>(cell, start_velocity);
   }
 
   template <int dim>

@@ -11,11 +11,68 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// A block at work: its columns, each in a register.
+    template <int dim>
+    struct Columns
+    {
+      static constexpr unsigned int n_rows = BlockILU<dim>::n_rows;
+      using Lanes                          = Register<n_rows>;
+
+      typename Lanes::Doubles column[dim];
+
+      /// (*this) B of a stored block B.
+      Columns
+      operator*(const float *B) const
+      {
+        Columns result;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const float *b   = B + c * n_rows;
+            result.column[c] = column[0] * static_cast<double>(b[0]);
+            for (unsigned int j = 1; j < dim; ++j)
+              result.column[c] += column[j] * static_cast<double>(b[j]);
+          }
+        return result;
+      }
+
+      void
+      operator-=(const Columns &other)
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          column[c] -= other.column[c];
+      }
+
+      void
+      store(float *to) const
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int r = 0; r < dim; ++r)
+            to[c * n_rows + r] = static_cast<float>(column[c][r]);
+      }
+
+      void
+      store_inverse(float *to) const
+      {
+        Tensor<2, dim> block;
+        for (unsigned int r = 0; r < dim; ++r)
+          for (unsigned int c = 0; c < dim; ++c)
+            block[r][c] = column[c][r];
+        block = invert(block);
+        for (unsigned int r = 0; r < dim; ++r)
+          for (unsigned int c = 0; c < dim; ++c)
+            to[c * n_rows + r] = static_cast<float>(block[r][c]);
+      }
+    };
+  } // namespace
+
   template <int dim>
   void
   BlockILU<dim>::initialize(const BlockMatrix<dim> &matrix,
                             const double            diagonal_factor)
   {
+    using Block                     = Columns<dim>;
     const NodePattern<dim> &pattern = matrix.sparsity();
     const unsigned int      n       = matrix.occupancy.n_own_nodes();
     for (Triangle *triangle : {&lower, &upper})
@@ -26,38 +83,27 @@ namespace seiche
       }
     inverses.assign(n * size, 0.f);
 
-    const auto load = [](const float *from) {
-      Tensor<2, dim> result;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          result[i][j] = from[j * n_rows + i];
-      return result;
-    };
-    const auto store = [](const Tensor<2, dim> &from, float *to) {
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          to[j * n_rows + i] = static_cast<float>(from[i][j]);
-    };
-    const auto append = [&](Triangle                          &triangle,
-                            const std::vector<unsigned int>   &columns,
-                            const std::vector<Tensor<2, dim>> &blocks) {
-      for (unsigned int k = 0; k < columns.size(); ++k)
-        {
-          triangle.column.push_back(columns[k]);
-          triangle.blocks.resize(triangle.blocks.size() + size);
-          store(blocks[k], &triangle.blocks[triangle.blocks.size() - size]);
-        }
+    const auto append = [&](Triangle                        &triangle,
+                            const std::vector<unsigned int> &columns,
+                            const std::vector<Block>        &blocks) {
+      const std::size_t first = triangle.blocks.size();
+      triangle.column.insert(triangle.column.end(),
+                             columns.begin(),
+                             columns.end());
+      triangle.blocks.resize(first + blocks.size() * size);
+      for (unsigned int k = 0; k < blocks.size(); ++k)
+        blocks[k].store(&triangle.blocks[first + k * size]);
       triangle.begin.push_back(triangle.column.size());
     };
 
     // the row at work: L, diagonal, U, and where a column is found in it
-    constexpr int               none = -1;
-    std::vector<int>            place(n, none);
-    std::vector<unsigned int>   columns[2];
-    std::vector<Tensor<2, dim>> blocks[2];
+    constexpr int             none = -1;
+    std::vector<int>          place(n, none);
+    std::vector<unsigned int> columns[2];
+    std::vector<Block>        blocks[2];
     for (unsigned int row = 0; row < n; ++row)
       {
-        Tensor<2, dim> diagonal;
+        Block diagonal = {};
         for (unsigned int side = 0; side < 2; ++side)
           {
             columns[side].clear();
@@ -65,15 +111,15 @@ namespace seiche
           }
         const auto add_entry = [&](const unsigned int entry) {
           const unsigned int column = pattern.column_of(entry);
-          Tensor<2, dim>     block;
-          for (unsigned int r = 0; r < dim; ++r)
-            for (unsigned int c = 0; c < dim; ++c)
-              block[r][c] = matrix.value(entry, r, c);
+          Block              block  = {};
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int r = 0; r < dim; ++r)
+              block.column[c][r] = matrix.value(entry, r, c);
           if (column == row)
             {
               diagonal = block;
               for (unsigned int c = 0; c < dim; ++c)
-                diagonal[c][c] *= diagonal_factor;
+                diagonal.column[c][c] *= diagonal_factor;
             }
           else if (column < n && !matrix.is_empty(column))
             {
@@ -94,26 +140,22 @@ namespace seiche
         // eliminate with the rows before
         for (unsigned int l = 0; l < columns[0].size(); ++l)
           {
-            const unsigned int   other = columns[0][l];
-            const Tensor<2, dim> L =
-              blocks[0][l] * load(&inverses[other * size]);
-            blocks[0][l] = L;
+            const unsigned int other = columns[0][l];
+            const Block        L     = blocks[0][l] * &inverses[other * size];
+            blocks[0][l]             = L;
             for (unsigned int u = upper.begin[other];
                  u < upper.begin[other + 1];
                  ++u)
               {
                 const unsigned int column = upper.column[u];
-                if (column != row && place[column] == none)
-                  continue;
-                const Tensor<2, dim> product =
-                  L * load(&upper.blocks[std::size_t(u) * size]);
                 if (column == row)
-                  diagonal -= product;
-                else
-                  blocks[column > row][place[column]] -= product;
+                  diagonal -= L * &upper.blocks[std::size_t(u) * size];
+                else if (place[column] != none)
+                  blocks[column > row][place[column]] -=
+                    L * &upper.blocks[std::size_t(u) * size];
               }
           }
-        store(invert(diagonal), &inverses[row * size]);
+        diagonal.store_inverse(&inverses[row * size]);
         append(lower, columns[0], blocks[0]);
         append(upper, columns[1], blocks[1]);
         for (unsigned int side = 0; side < 2; ++side)

@@ -30,6 +30,9 @@ namespace seiche
     dealii::AlignedVector<double> mass;         ///< [kg], with the weight
     dealii::AlignedVector<double> volume;       ///< [m^dim] V0, with the weight
     dealii::AlignedVector<double> volume_ratio; ///< [-] J at t_n
+    /// Measure of the full cell [m^dim] if these are its Gauss points, which
+    /// serve the next such cell; else 0.
+    double full_measure = 0.;
 
     /// The point q, or as many from q on as a Number has (Lanes).
     template <typename Number = double>
@@ -45,7 +48,8 @@ namespace seiche
     void
     clear()
     {
-      size = 0;
+      size         = 0;
+      full_measure = 0.;
     }
 
     /// Fill the last Lanes with the first point, of negligible weight.
@@ -98,7 +102,7 @@ namespace seiche
   public:
     virtual ~Quadrature() = default;
 
-    /// Fill @p quadrature for an own occupied cell. Local.
+    /// Fill @p quadrature for an own occupied cell, and pad it. Local.
     virtual void
     get(const unsigned int cell, CellQuadrature<dim> &quadrature) const = 0;
   };

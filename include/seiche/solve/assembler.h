@@ -113,6 +113,12 @@ namespace seiche
     CellData<dim, degree> &
     gather(const unsigned int cell, const GridState<dim> &state);
 
+    /// What depends on v_0: the speed that tau may have, and a body force that
+    /// varies.
+    template <int degree>
+    void
+    gather_start_velocity(const unsigned int cell, const GridState<dim> &state);
+
     /// The projections of the residuals.
     template <int degree>
     void
@@ -158,6 +164,7 @@ namespace seiche
     const Vector          *inertia_offset = nullptr;
     const Vector          *rate_offset    = nullptr;
     const BlockVector     *projection     = nullptr;
+    const bool             tau_is_uniform;
     StepCoefficients       step;
 
     std::tuple<CellData<dim, 1>, CellData<dim, 2>> workspace; // of one cell

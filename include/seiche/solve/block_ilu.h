@@ -37,10 +37,11 @@ namespace seiche
     double
     growth(const BlockMatrix<dim> &matrix) const;
 
-  private:
     /// Rows of a stored block: padded, so that a column fills a register.
     static constexpr unsigned int n_rows = dim == 3 ? 4 : dim;
-    static constexpr unsigned int size   = n_rows * dim;
+
+  private:
+    static constexpr unsigned int size = n_rows * dim;
 
     /// Block rows of one factor; [block][column][row] in blocks.
     struct Triangle
