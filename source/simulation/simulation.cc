@@ -185,9 +185,9 @@ namespace seiche
     if (!problem.empty())
       return problem;
     const TimerTree::Scope scope(timer, "acceptance");
-    return transfer.check(state, points)
-      .problem(scene.time.maximum_displacement -
-               step_solver.wall_way(state.time, state.dt));
+    const double           limit = scene.time.maximum_displacement -
+                         step_solver.wall_way(state.time, state.dt);
+    return transfer.check(state, points, limit).problem(limit);
   }
 
   template <int dim>

@@ -155,6 +155,35 @@ namespace seiche
               arrays.gradient[c * dim + d][first + l] = result[l];
           }
     }
+
+    /// True if no point of a cell with these displacements can move farther
+    /// than @p limit times reach or change its volume by more than a third:
+    /// gradients and values of FE_Q(1) lie between those of edges and nodes.
+    template <int dim>
+    bool
+    is_gentle(const CellField<dim, 1>      &u,
+              const dealii::Tensor<1, dim> &extent,
+              const dealii::Tensor<1, dim> &reach,
+              const double                  limit)
+    {
+      constexpr double small = 0.3; // |grad u|, so that det f >= 0.7^dim
+      double           sum   = 0.;
+      bool             near  = true;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            double largest = 0.;
+            for (unsigned int a = 0; a < u.n_nodes; ++a)
+              {
+                const double difference =
+                  u.values[c][a | 1u << d] - u.values[c][a];
+                near &= std::abs(u.values[c][a]) <= limit * reach[c];
+                largest = std::max(largest, std::abs(difference));
+              }
+            sum += std::pow(largest / extent[d], 2);
+          }
+      return near && sum <= small * small;
+    }
   } // namespace
 
 
@@ -162,10 +191,11 @@ namespace seiche
   template <int dim>
   StepCheck
   Transfer<dim>::check(const GridState<dim>  &state,
-                       const PointCloud<dim> &points) const
+                       const PointCloud<dim> &points,
+                       const double           limit) const
   {
     return with_degree(occupancy.fe.degree, [&](const auto degree) {
-      return this->template check_step<degree>(state, points);
+      return this->template check_step<degree>(state, points, limit);
     });
   }
 
@@ -187,7 +217,8 @@ namespace seiche
   template <int degree>
   StepCheck
   Transfer<dim>::check_step(const GridState<dim>  &state,
-                            const PointCloud<dim> &points) const
+                            const PointCloud<dim> &points,
+                            const double           limit) const
   {
     const PointArrays<dim, const PointCloud<dim>> arrays(points);
     const CellLocator<dim>                       &locator = points.locator;
@@ -201,7 +232,16 @@ namespace seiche
     for_each_block(
       occupancy,
       points,
-      [&](const unsigned int cell) { u.gather(displacement, occupancy, cell); },
+      [&](const unsigned int cell) {
+        u.gather(displacement, occupancy, cell);
+        if constexpr (degree == 1)
+          return !is_gentle(u,
+                            locator.extent(cell),
+                            locator.reach(cell),
+                            limit);
+        else
+          return true;
+      },
       [&](const unsigned int cell,
           const std::size_t  first,
           const unsigned int n_filled) {
@@ -301,6 +341,7 @@ namespace seiche
               p_nodal[i] = pressure[nodes[i]];
             occupancy.expand(cell, p_nodal);
           }
+        return true;
       },
       [&](const unsigned int cell,
           const std::size_t  first,
@@ -346,9 +387,13 @@ namespace seiche
 
 
   template StepCheck
-  Transfer<2>::check(const GridState<2> &, const PointCloud<2> &) const;
+  Transfer<2>::check(const GridState<2> &,
+                     const PointCloud<2> &,
+                     const double) const;
   template StepCheck
-  Transfer<3>::check(const GridState<3> &, const PointCloud<3> &) const;
+  Transfer<3>::check(const GridState<3> &,
+                     const PointCloud<3> &,
+                     const double) const;
   template void
   Transfer<2>::grid_to_points(const GridState<2> &, PointCloud<2> &) const;
   template void

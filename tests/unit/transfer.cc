@@ -255,7 +255,7 @@ namespace
                          &state.displacement(),
                          &state.pressure()})
       vector->update_ghost_values();
-    const seiche::StepCheck check = transfer.check(state, points);
+    const seiche::StepCheck check = transfer.check(state, points, /*limit=*/0.);
     transfer.grid_to_points(state, points);
     print("points after", of_points(points));
     double volume = 0., pressure = 0., gradient = 0.;

@@ -152,7 +152,8 @@ namespace seiche
 
 
   /// Calls action(cell, first point, number of points) for all blocks of
-  /// the occupied cells, begin(cell) before the first one of a cell.
+  /// the occupied cells, begin(cell) before the first one of a cell; a cell for
+  /// which that is false is passed over.
   template <int dim, typename Begin, typename Action>
   void
   for_each_block(const Occupancy<dim>  &occupancy,
@@ -162,7 +163,8 @@ namespace seiche
   {
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        begin(cell);
+        if (!begin(cell))
+          continue;
         const std::size_t end = points.first_point(cell + 1);
         for (std::size_t p = points.first_point(cell); p < end; p += n_lanes)
           action(cell,

@@ -110,9 +110,13 @@ namespace seiche
     void
     points_to_grid(const PointCloud<dim> &points, GridState<dim> &state) const;
 
-    /// What grid_to_points would do to the points. Collective.
+    /// What grid_to_points would do to the points. Cells whose nodal values
+    /// show already that the step is accepted with this @p limit [cells] do not
+    /// count. Collective.
     StepCheck
-    check(const GridState<dim> &state, const PointCloud<dim> &points) const;
+    check(const GridState<dim>  &state,
+          const PointCloud<dim> &points,
+          const double           limit) const;
 
     /// Position, velocity, gradient, acceleration, volume ratio and pressure
     /// of the points. (x += N u; J *= det f_1 or its nodal mean; C = grad_n
@@ -130,7 +134,8 @@ namespace seiche
     template <int degree>
     StepCheck
     check_step(const GridState<dim>  &state,
-               const PointCloud<dim> &points) const;
+               const PointCloud<dim> &points,
+               const double           limit) const;
     template <int degree>
     void
     move_points(const GridState<dim> &state, PointCloud<dim> &points) const;
