@@ -4,9 +4,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/solver_gmres.h>
-
 #include <cmath>
 #include <limits>
 
@@ -25,7 +22,7 @@ namespace seiche
     /// second each in 3D, and seldom.
     constexpr types::global_dof_index rescue_below = 5000;
 
-    /// The system with scaled pressure rows, as FGMRES wants it; their mean
+    /// The system with scaled pressure rows, as GMRES wants it; their mean
     /// left out in a closed domain, as in the residual.
     template <int dim>
     struct ScaledOperator
@@ -165,30 +162,23 @@ namespace seiche
     result.reduction = 1.;
     if (!std::isfinite(target))
       return result;
-    SolverControl control(parameters.maximum_iterations,
-                          std::max(target, std::numeric_limits<double>::min()));
-    typename SolverFGMRES<BlockVector>::AdditionalData data;
-    data.max_basis_size = 60;
-    SolverFGMRES<BlockVector> solver(control, data);
-    try
-      {
-        solver.solve(ScaledOperator<dim>{*matrix, row_scale, closed_weights},
-                     solution,
-                     scaled,
-                     preconditioner);
-        result.converged = true;
-      }
-    catch (const SolverControl::NoConvergence &)
+    const ScaledOperator<dim> scaled_matrix{*matrix, row_scale, closed_weights};
+    result.converged =
+      gmres.solve(scaled_matrix,
+                  solution,
+                  scaled,
+                  preconditioner,
+                  std::max(target, std::numeric_limits<double>::min()),
+                  parameters.maximum_iterations);
+    result.iterations = gmres.iterations;
+    if (!result.converged)
       {
         // the solver's own estimate may be far off after this many iterations
         BlockVector rest(scaled);
-        ScaledOperator<dim>{*matrix, row_scale, closed_weights}.vmult(rest,
-                                                                      solution);
+        scaled_matrix.vmult(rest, solution);
         rest -= scaled;
-        result.converged = false;
         result.reduction = rest.l2_norm() / scaled.l2_norm();
       }
-    result.iterations = control.last_step();
     return result;
   }
 

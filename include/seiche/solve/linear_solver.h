@@ -5,6 +5,7 @@
 #include <seiche/solve/assembler.h>
 #include <seiche/solve/block_matrix.h>
 #include <seiche/solve/block_preconditioner.h>
+#include <seiche/solve/flexible_gmres.h>
 
 #include <functional>
 #include <limits>
@@ -108,6 +109,7 @@ namespace seiche
     bool                         closed    = false; ///< p up to a constant
     const typename GridState<dim>::Vector *closed_weights = nullptr;
     BlockPreconditioner<dim>               preconditioner;
+    FlexibleGMRES<BlockVector>             gmres;
     BlockVector                            scaled;
   };
 } // namespace seiche

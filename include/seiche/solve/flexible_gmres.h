@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_solve_flexible_gmres_h
+#define seiche_solve_flexible_gmres_h
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/lac/vector_memory.h>
+
+#include <cmath>
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief Restarted flexible GMRES from zero (Saad 1993) with modified
+   * Gram-Schmidt and Givens rotations.
+   *
+   * One product and one application of the preconditioner an iteration, none
+   * besides: dealii::SolverFGMRES (9.4) makes two products and one application
+   * more in each solve, a fifth of one that takes six iterations.
+   */
+  template <typename Vector>
+  class FlexibleGMRES
+  {
+  public:
+    /// Vectors of the basis before a restart.
+    static constexpr unsigned int basis_size = 60;
+
+    unsigned int iterations = 0;
+    double       residual   = 0.; ///< norm, as the rotations give it
+
+    /// Solve A x = b up to a residual of @p target; false if that takes more
+    /// than @p maximum iterations or anything is not finite. A and M have
+    /// vmult(). Collective.
+    template <typename Matrix, typename Preconditioner>
+    bool
+    solve(const Matrix         &A,
+          Vector               &x,
+          const Vector         &b,
+          const Preconditioner &M,
+          const double          target,
+          const unsigned int    maximum)
+    {
+      iterations = 0;
+      x          = 0.;
+      w          = Pointer(memory);
+      w->reinit(b, /*omit_zeroing=*/true);
+      *w = b;
+      while (true)
+        {
+          residual = w->l2_norm();
+          if (!(residual > target) || iterations >= maximum)
+            break;
+          expand(A, M, target, maximum);
+          update(x);
+          if (!(residual > target) || iterations >= maximum)
+            break;
+          A.vmult(*w, x);
+          w->sadd(-1., 1., b);
+        }
+      const bool converged = residual <= target;
+      v.clear();
+      z.clear();
+      w = Pointer();
+      return converged;
+    }
+
+  private:
+    using Memory  = dealii::GrowingVectorMemory<Vector>;
+    using Pointer = typename dealii::VectorMemory<Vector>::Pointer;
+
+    static constexpr double round_off = 1e-14;
+
+    /// Build the basis from the residual in w until it suffices.
+    template <typename Matrix, typename Preconditioner>
+    void
+    expand(const Matrix         &A,
+           const Preconditioner &M,
+           const double          target,
+           const unsigned int    maximum)
+    {
+      n = 0;
+      g.assign(1, residual);
+      double norm = residual;
+      while (n < basis_size && iterations < maximum && residual > target &&
+             norm > 0.)
+        {
+          const unsigned int j = n++;
+          vector(v, j).equ(1. / norm, *w);
+          M.vmult(vector(z, j), *v[j]);
+          A.vmult(*w, *z[j]);
+
+          std::vector<double> &h = column(j);
+          h[0]                   = *w * *v[0];
+          for (unsigned int i = 1; i <= j; ++i)
+            h[i] = w->add_and_dot(-h[i - 1], *v[i - 1], *v[i]);
+          norm = std::sqrt(w->add_and_dot(-h[j], *v[j], *w));
+
+          double size = norm * norm; // of A z
+          for (unsigned int i = 0; i <= j; ++i)
+            size += h[i] * h[i];
+          for (unsigned int i = 0; i < j; ++i)
+            rotate(i, h[i], h[i + 1]);
+          double length = std::hypot(h[j], norm);
+          if (length <= round_off * std::sqrt(size))
+            norm = length = 0.; // A z is in the span of those before: no gain
+          cosine[j] = length > 0. ? h[j] / length : 0.;
+          sine[j]   = length > 0. ? norm / length : 1.;
+          h[j]      = length;
+          g.push_back(0.);
+          rotate(j, g[j], g[j + 1]);
+          residual = std::abs(g[j + 1]);
+          ++iterations;
+        }
+    }
+
+    /// x += Z y, where y minimises the residual.
+    void
+    update(Vector &x)
+    {
+      for (unsigned int i = n; i-- > 0;)
+        {
+          for (unsigned int k = i + 1; k < n; ++k)
+            g[i] -= H[k][i] * g[k];
+          g[i] = H[i][i] != 0. ? g[i] / H[i][i] : 0.;
+        }
+      for (unsigned int i = 0; i < n; ++i)
+        x.add(g[i], *z[i]);
+    }
+
+    void
+    rotate(const unsigned int i, double &a, double &b) const
+    {
+      const double before = a;
+      a                   = cosine[i] * before + sine[i] * b;
+      b                   = cosine[i] * b - sine[i] * before;
+    }
+
+    Vector &
+    vector(std::vector<Pointer> &vectors, const unsigned int i)
+    {
+      if (i == vectors.size())
+        {
+          vectors.emplace_back(memory);
+          vectors.back()->reinit(*w, /*omit_zeroing=*/true);
+        }
+      return *vectors[i];
+    }
+
+    std::vector<double> &
+    column(const unsigned int j)
+    {
+      if (j == H.size())
+        {
+          H.emplace_back(basis_size + 1);
+          cosine.push_back(1.);
+          sine.push_back(0.);
+        }
+      return H[j];
+    }
+
+    Memory               memory;
+    Pointer              w;    // residual, then the vector at work
+    std::vector<Pointer> v, z; // basis, and M times it
+    unsigned int         n = 0;
+    // columns of the Hessenberg matrix, rotated to triangular shape
+    std::vector<std::vector<double>> H;
+    std::vector<double>              cosine, sine, g;
+  };
+} // namespace seiche
+
+#endif
