@@ -178,13 +178,23 @@ namespace seiche
 
     schur_amg.reset(); // its smoothers refer to the old matrix
     schur_cholesky.clear();
+    schur_generation                      = matrix->generation();
+    const types::global_dof_index n_nodes = matrix->occupancy.n_global_nodes();
+    const double                  shift   = closed ? closed_shift : 0.;
     if (scaled_block)
       {
-        schur = epetra_copy(*matrix,
-                            pressure,
-                            pressure,
-                            1. / (material.density * tau1));
-        add_surface_term(c.inertia);
+        const double              scale   = 1. / (material.density * tau1);
+        const std::vector<double> surface = surface_term(c.inertia);
+        if (n_nodes < schur_cholesky_below<dim> &&
+            Utilities::MPI::n_mpi_processes(mass.get_mpi_communicator()) == 1)
+          {
+            LowerTriangle L = pressure_triangle(scale, surface, shift);
+            if (schur_cholesky.initialize(L, matrix->occupancy.generation()))
+              return;
+          }
+        schur = epetra_copy(*matrix, pressure, pressure, scale);
+        for (unsigned int node = 0; node < surface.size(); ++node)
+          diagonal_entry(*schur, node) += surface[node];
       }
     else
       {
@@ -210,15 +220,8 @@ namespace seiche
         schur->FillComplete();
       }
     if (closed)
-      {
-        for (int i = 0; i < schur->NumMyRows(); ++i)
-          diagonal_entry(*schur, i) *= 1. + closed_shift;
-      }
-    schur_generation                      = matrix->generation();
-    const types::global_dof_index n_nodes = matrix->occupancy.n_global_nodes();
-    if (scaled_block && n_nodes < schur_cholesky_below<dim> &&
-        schur->Comm().NumProc() == 1 && schur_cholesky.initialize(*schur))
-      return;
+      for (int i = 0; i < schur->NumMyRows(); ++i)
+        diagonal_entry(*schur, i) *= 1. + shift;
     if (n_nodes < schur_direct_below<dim> && schur_factors.initialize(*schur))
       return;
     schur_amg = std::make_unique<TrilinosWrappers::PreconditionAMG>();
@@ -233,8 +236,8 @@ namespace seiche
   }
 
   template <int dim>
-  void
-  BlockPreconditioner<dim>::add_surface_term(const double factor)
+  std::vector<double>
+  BlockPreconditioner<dim>::surface_term(const double factor) const
   {
     BlockVector x(2), y(2);
     x.block(0).reinit(matrix->occupancy.vector_partitioner());
@@ -249,9 +252,39 @@ namespace seiche
       for (unsigned int i = 0; i < dim; ++i)
         x.block(0).local_element(node * dim + i) /= matrix->diagonal(node, i);
     matrix->vmult(y, x);
+    std::vector<double> result(n_own);
     for (unsigned int node = 0; node < n_own; ++node)
-      diagonal_entry(*schur, node) +=
-        factor * std::max(0., -y.block(1).local_element(node));
+      result[node] = factor * std::max(0., -y.block(1).local_element(node));
+    return result;
+  }
+
+  template <int dim>
+  LowerTriangle
+  BlockPreconditioner<dim>::pressure_triangle(
+    const double               scale,
+    const std::vector<double> &diagonal_term,
+    const double               shift) const
+  {
+    const NodePattern<dim> &pattern = matrix->sparsity();
+    LowerTriangle           result;
+    for (unsigned int node = 0; node < diagonal_term.size(); ++node)
+      {
+        result.row.push_back(node);
+        result.value.push_back(
+          (scale * matrix->diagonal(node, dim) + diagonal_term[node]) *
+          (1. + shift));
+        if (!matrix->is_empty(node))
+          for (unsigned int k = pattern.diagonal_of(node) + 1;
+               k < pattern.row_begin(node + 1);
+               ++k)
+            if (const double value = matrix->value(k, dim, dim); value != 0.)
+              {
+                result.row.push_back(pattern.column_of(k));
+                result.value.push_back(scale * value);
+              }
+        result.begin.push_back(result.row.size());
+      }
+    return result;
   }
 
   template <int dim>

@@ -8,10 +8,9 @@ namespace seiche
   CholeskyFactors::CholeskyFactors()
   {
     cholmod_start(&common);
-    common.print              = 0;
-    common.nmethods           = 1; // METIS takes longer than it saves
-    common.method[0].ordering = CHOLMOD_AMD;
-    common.supernodal         = CHOLMOD_SIMPLICIAL;
+    common.print      = 0;
+    common.nmethods   = 1; // METIS takes longer than it saves
+    common.supernodal = CHOLMOD_SIMPLICIAL;
   }
 
   CholeskyFactors::~CholeskyFactors()
@@ -30,32 +29,36 @@ namespace seiche
   }
 
   bool
-  CholeskyFactors::initialize(const Epetra_CrsMatrix &matrix)
+  CholeskyFactors::initialize(LowerTriangle     &matrix,
+                              const unsigned int numbering)
   {
     clear();
-    int    *begin, *columns;
-    double *values;
-    if (matrix.ExtractCrsDataPointers(begin, columns, values) != 0)
-      return false; // its storage is not optimised
     cholmod_sparse view = {};
-    view.nrow = view.ncol = matrix.NumMyRows();
-    view.nzmax            = matrix.NumMyNonzeros();
-    view.p                = begin;
-    view.i                = columns;
-    view.x                = values;
-    view.stype            = -1; // by columns: the lower triangle
+    view.nrow = view.ncol = matrix.begin.size() - 1;
+    view.nzmax            = matrix.row.size();
+    view.p                = matrix.begin.data();
+    view.i                = matrix.row.data();
+    view.x                = matrix.value.data();
+    view.stype            = -1; // the lower triangle
     view.itype            = CHOLMOD_INT;
     view.xtype            = CHOLMOD_REAL;
     view.dtype            = CHOLMOD_DOUBLE;
     view.sorted = view.packed = 1;
 
-    factor = cholmod_analyze(&view, &common);
+    const bool known =
+      order.size() == view.nrow && order_numbering == numbering;
+    common.method[0].ordering = known ? CHOLMOD_GIVEN : CHOLMOD_AMD;
+    factor                    = cholmod_analyze_p(
+      &view, known ? order.data() : nullptr, nullptr, 0, &common);
     if (factor == nullptr || !cholmod_factorize(&view, factor, &common) ||
         common.status != CHOLMOD_OK)
       {
         clear();
         return false;
       }
+    const int *permutation = static_cast<const int *>(factor->Perm);
+    order.assign(permutation, permutation + view.nrow);
+    order_numbering = numbering;
     return true;
   }
 

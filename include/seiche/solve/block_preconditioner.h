@@ -76,11 +76,18 @@ namespace seiche
                      const MaterialConstants &material,
                      const Vector            &mass);
 
-    /// Add factor times the row sums of -C diag(A)^-1 G to the diagonal of the
-    /// Schur complement. With subscales C is the flux through the free
-    /// surface alone; without it D would leave constants free.
-    void
-    add_surface_term(const double factor);
+    /// What the Schur complement of own nodes gets on its diagonal: @p factor
+    /// times the row sums of -C diag(A)^-1 G. With subscales C is the flux
+    /// through the free surface alone; without it D would leave constants free.
+    /// Collective.
+    std::vector<double>
+    surface_term(const double factor) const;
+
+    /// (scale D + diagonal term), its diagonal times 1 + shift; one rank.
+    LowerTriangle
+    pressure_triangle(const double               scale,
+                      const std::vector<double> &diagonal_term,
+                      const double               shift) const;
 
     const BlockMatrix<dim> *matrix = nullptr;
     bool                    closed = false; ///< pressure up to a constant

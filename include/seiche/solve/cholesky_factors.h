@@ -2,11 +2,20 @@
 #ifndef seiche_solve_cholesky_factors_h
 #define seiche_solve_cholesky_factors_h
 
-#include <Epetra_CrsMatrix.h>
 #include <cholmod.h>
+
+#include <vector>
 
 namespace seiche
 {
+  /// Lower triangle of a symmetric matrix by columns, rows ascending.
+  struct LowerTriangle
+  {
+    std::vector<int>    begin = {0}; ///< [column + 1]
+    std::vector<int>    row;
+    std::vector<double> value;
+  };
+
   /// Cholesky factors of a symmetric, positive definite sparse matrix on a
   /// single rank (CHOLMOD: Chen, Davis, Hager, Rajamanickam 2008).
   class CholeskyFactors
@@ -18,10 +27,11 @@ namespace seiche
     CholeskyFactors &
     operator=(const CholeskyFactors &) = delete;
 
-    /// Factorise the lower triangle of @p matrix, whose rows and columns have
-    /// the same order. False if it is not positive definite.
+    /// Factorise; false if the matrix is not positive definite. The order of
+    /// elimination of the matrix before serves if that had the same number of
+    /// rows and @p numbering: a third of the work on a new one goes into it.
     bool
-    initialize(const Epetra_CrsMatrix &matrix);
+    initialize(LowerTriangle &matrix, const unsigned int numbering);
 
     bool
     is_empty() const
@@ -36,9 +46,11 @@ namespace seiche
     solve(double *solution, const double *right_hand_side);
 
   private:
-    cholmod_common  common;
-    cholmod_factor *factor = nullptr;
-    cholmod_dense  *x = nullptr, *y = nullptr, *e = nullptr; ///< workspace
+    cholmod_common   common;
+    std::vector<int> order; ///< of elimination
+    unsigned int     order_numbering = 0;
+    cholmod_factor  *factor          = nullptr;
+    cholmod_dense   *x = nullptr, *y = nullptr, *e = nullptr; ///< workspace
   };
 } // namespace seiche
 
