@@ -199,7 +199,7 @@ def crossing(x, values, last):
 def version():
     package = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", "openfoam"],
                              capture_output=True, text=True).stdout
-    return "interFoam " + (re.match(r"[\d.]*", package).group(0) or "?")
+    return "OpenFOAM " + (re.match(r"[\d.]*", package).group(0) or "?")
 
 
 def run(arguments, folder, measured, write_curves):
