@@ -62,13 +62,14 @@ namespace seiche
     prm.add_parameter("Step control",
                       control,
                       "fixed; CFL: from the largest speed; error: so that the "
-                      "errors of all steps add up to Error tolerance, CFL "
-                      "number at most, and 1/50 of that at least",
+                      "errors of all steps add up to Error tolerance; at most "
+                      "what Step and CFL number allow, at least 1/50 of that "
+                      "and Minimum step",
                       Patterns::Selection("fixed|CFL|error"));
     prm.add_parameter("CFL number",
                       cfl,
                       "Cells that the fastest point crosses in a step with "
-                      "Step control = CFL [-]",
+                      "Step control = CFL, at most with error [-]",
                       Patterns::Double(1e-6, 1.));
     prm.add_parameter("Error tolerance",
                       error_tolerance,
@@ -139,7 +140,8 @@ namespace seiche
       }
     if (parameters.controls_error())
       {
-        least_accurate = least_share * dt;
+        least_accurate =
+          std::max(least_share * dt, std::min(parameters.minimum_step, dt));
         dt = wanted_dt > 0. ? std::clamp(wanted_dt, least_accurate, dt) :
                               first_share * dt;
       }

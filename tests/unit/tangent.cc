@@ -209,7 +209,7 @@ namespace
     const double            density = 3.;
     const StepCoefficients &c       = cell.coefficients;
     const double limit = negligible_viscosity * density * c.inertia / c.rate *
-                         std::pow(cell.size / degree, 2);
+                         std::pow(cell.shortest_edge() / degree, 2);
     for (const double share : {0.99, 1.01})
       {
         const auto formulation =

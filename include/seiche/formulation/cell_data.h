@@ -8,6 +8,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace seiche
@@ -57,6 +58,13 @@ namespace seiche
     alignas(64) double up[dim][n_nodes][n_nodes]; ///< row component first
     alignas(64) double pu[dim][n_nodes][n_nodes]; ///< column component first
     alignas(64) double pp[n_nodes][n_nodes];
+
+    /// [m]
+    double
+    shortest_edge() const
+    {
+      return *std::min_element(extent.begin_raw(), extent.end_raw());
+    }
 
     /// At the point q, or at as many as a Number has.
     template <typename Number = double>

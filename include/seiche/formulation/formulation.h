@@ -98,7 +98,7 @@ namespace seiche
     {
       const StepCoefficients &step      = cell.coefficients;
       const double            viscosity = material.viscosity(step);
-      const double            h         = cell.size / degree;
+      const double            h         = cell.shortest_edge() / degree;
       return viscosity * step.rate < negligible_viscosity * material.density *
                                        step.inertia * h * h ?
                0. :
