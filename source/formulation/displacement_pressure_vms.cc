@@ -8,6 +8,21 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// True if neither pressure gradient nor momentum residual exceed
+    /// @p limit [N/m^dim] at any of the points.
+    template <int dim, int degree>
+    bool
+    turns_little(const VMSPointState<dim, degree, Lanes> &state,
+                 const double                             limit)
+    {
+      const Lanes p = state.pressure_gradient * state.pressure_gradient,
+                  r = state.momentum_residual * state.momentum_residual;
+      return !std::experimental::any_of(max(p, r) > limit * limit);
+    }
+  } // namespace
+
   template <int dim>
   bool
   DisplacementPressureVMS<dim>::has_pressure() const
@@ -100,12 +115,13 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     cell.clear_tangent();
-    const Tau    tau       = this->tau(cell);
-    const double viscosity = this->tangent_viscosity(cell);
-    const double theta     = cell.coefficients.theta;
-    const double kappa     = this->material.bulk_modulus;
-    const double weight_g  = 1. - tau.continuity / kappa;
-    const bool   splits    = this->stabilization.is_split();
+    const Tau    tau              = this->tau(cell);
+    const double viscosity        = this->tangent_viscosity(cell);
+    const double theta            = cell.coefficients.theta;
+    const double kappa            = this->material.bulk_modulus;
+    const double weight_g         = 1. - tau.continuity / kappa;
+    const bool   splits           = this->stabilization.is_split();
+    const double negligible_force = this->negligible_force(cell, tau);
     PointKinematics<dim, degree, Lanes> point;
     for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
       {
@@ -129,45 +145,34 @@ namespace seiche
                                                 state.stress,
                                                 state.pressure);
 
-        // V_t tau1 {theta [(grad q.grad p) div du + grad q.(grad du) r
-        //                  - grad p.(grad du)^T grad q] + rho C_a grad q.du}
-        const auto &g = point.gradient_t;
         const Lanes fine =
           cell.sliver ? Lanes(0.) : state.volume_t * tau.momentum;
-        const Lanes inertia = state.is_split ?
-                                Lanes(0.) :
-                                fine * state.rho_t * cell.coefficients.inertia;
         const Lanes weight = weight_g * load<Lanes>(&cell.quadrature.volume[q]);
-        // times grad N: of grad p + Pi r - div s; of r, and the inertia's N
-        Lanes gp[n_nodes], of_g[n_nodes];
+        Lanes       inertia[n_nodes]; // rho C_a of the momentum residual
         for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            Lanes of_p = 0., of_r = 0.;
-            for (unsigned int j = 0; j < dim; ++j)
-              {
-                of_p +=
-                  g[j][a] * (state.pressure_gradient[j] + state.projected[j] -
-                             state.stress_divergence[j]);
-                of_r += g[j][a] * state.momentum_residual[j];
-              }
-            gp[a]   = theta * fine * of_p;
-            of_g[a] = theta * fine * of_r + inertia * point.N[a];
-          }
+          inertia[a] =
+            state.is_split ?
+              Lanes(0.) :
+              fine * state.rho_t * cell.coefficients.inertia * point.N[a];
         PressureTerms<dim, degree>::add_couplings(cell,
                                                   point,
                                                   n_points,
                                                   -weight_g * state.volume_t,
                                                   weight,
                                                   h,
-                                                  of_g,
-                                                  gp);
-        PressureTerms<dim, degree>::add_gradients(cell,
-                                                  point,
-                                                  n_points,
-                                                  weight / kappa,
-                                                  fine,
-                                                  -theta *
-                                                    state.pressure_gradient);
+                                                  inertia);
+        PressureTerms<dim, degree>::add_diagonal(
+          cell, point, n_points, weight / kappa, fine);
+        if (!cell.sliver && !turns_little(state, negligible_force))
+          PressureTerms<dim, degree>::add_turns(cell,
+                                                point,
+                                                n_points,
+                                                theta * fine,
+                                                state.pressure_gradient +
+                                                  state.projected -
+                                                  state.stress_divergence,
+                                                state.pressure_gradient,
+                                                state.momentum_residual);
         if constexpr (degree > 1)
           if (viscosity != 0. && !cell.sliver && !state.is_split)
             {
@@ -180,7 +185,8 @@ namespace seiche
                 for (unsigned int i = 0; i < dim; ++i)
                   for (unsigned int a = 0; a < n_nodes; ++a)
                     for (unsigned int b = 0; b < n_nodes; ++b)
-                      cell.pu[k][a][b] -= sum(g[i][a] * derivative[i][k][b]);
+                      cell.pu[k][a][b] -=
+                        sum(point.gradient_t[i][a] * derivative[i][k][b]);
             }
       }
     if (cell.sliver && tau.momentum > 0.)

@@ -52,28 +52,37 @@ namespace seiche
   }
 
   template <int dim>
-  template <int degree, typename Function>
+  template <int degree, typename AddCell, typename AddFace>
   void
-  Assembler<dim>::for_each_ghost_face(const Function &f)
+  Assembler<dim>::for_each_cell_and_ghost_face(const AddCell &add_cell,
+                                               const AddFace &add_face)
   {
-    if (!free_surface.has_ghost_penalty())
-      return;
+    const auto &faces = fill.ghost_faces();
+    auto face = free_surface.has_ghost_penalty() ? faces.begin() : faces.end();
     GhostFaceMatrix<dim, degree> matrix;
-    for (const GhostFace &face : fill.ghost_faces())
+    for (const unsigned int cell : occupancy.occupied_cells())
       {
-        matrix.evaluate(face, occupancy);
-        const double size = // of the smaller cell, which the face belongs to
-          std::pow(std::min(occupancy.locator.measure(face.lower),
-                            occupancy.locator.measure(face.upper)),
-                   1. / dim);
-        f(matrix,
-          ghost_coefficients(free_surface,
-                             face,
-                             matrix.h,
-                             formulation.material.density,
-                             ghost_tau(size),
-                             step.damping));
+        add_cell(cell);
+        // at once, while its rows are in the cache
+        for (; face != faces.end() &&
+               (face->lower == cell || face->upper == cell);
+             ++face)
+          {
+            matrix.evaluate(*face, occupancy);
+            const double size = // of the smaller cell, the face belongs to it
+              std::pow(std::min(occupancy.locator.measure(face->lower),
+                                occupancy.locator.measure(face->upper)),
+                       1. / dim);
+            add_face(matrix,
+                     ghost_coefficients(free_surface,
+                                        *face,
+                                        matrix.h,
+                                        formulation.material.density,
+                                        ghost_tau(size),
+                                        step.damping));
+          }
       }
+    Assert(face == faces.end(), ExcInternalError());
   }
 
   template <int dim>
@@ -150,15 +159,14 @@ namespace seiche
   void
   Assembler<dim>::add_residual(GridState<dim> &state, BlockVector &residual)
   {
-    const bool mixed = formulation.has_pressure();
-    for (const unsigned int cell : occupancy.occupied_cells())
-      {
-        CellData<dim, degree> &data = gather<degree>(cell, state);
-        formulation.residual(data);
-        scatter<degree>(cell, data, residual);
-      }
-    for_each_ghost_face<degree>([&](const GhostFaceMatrix<dim, degree> &face,
-                                    const GhostCoefficients &coefficient) {
+    const bool mixed    = formulation.has_pressure();
+    const auto add_cell = [&](const unsigned int cell) {
+      CellData<dim, degree> &data = gather<degree>(cell, state);
+      formulation.residual(data);
+      scatter<degree>(cell, data, residual);
+    };
+    const auto add_face = [&](const GhostFaceMatrix<dim, degree> &face,
+                              const GhostCoefficients            &coefficient) {
       const unsigned int n = face.n_nodes;
       for (unsigned int i = 0; i < dim; ++i)
         {
@@ -191,7 +199,8 @@ namespace seiche
             residual.block(1).local_element(face.nodes[a]) +=
               coefficient.pressure * sum;
           }
-    });
+    };
+    for_each_cell_and_ghost_face<degree>(add_cell, add_face);
   }
 
   template <int dim>
@@ -218,30 +227,30 @@ namespace seiche
     const bool       at_rest = is_at_rest(state);
     constexpr double same    = 1e-10; // equal cells differ in the last digits
     Tensor<1, dim>   last_extent;
-    for (const unsigned int cell : occupancy.occupied_cells())
-      {
-        const bool hanging = occupancy.hanging().has_matrix(cell);
-        const bool reusable =
-          at_rest && !hanging && fill.gauss_weight(cell) == 1.;
-        matrix.prefetch_cell(cell);
-        const Tensor<1, dim> &extent = occupancy.locator.extent(cell);
-        if (!reusable || (extent - last_extent).norm() > same * extent.norm())
-          {
-            gather<degree>(cell, state);
-            formulation.tangent(data);
-            if (hanging)
-              condense_tangent(cell, data);
-            last_extent = reusable ? data.extent : Tensor<1, dim>();
-          }
-        matrix.add_cell(cell, data);
-      }
-    for_each_ghost_face<degree>([&](const GhostFaceMatrix<dim, degree> &face,
-                                    const GhostCoefficients &coefficient) {
+    const auto       add_cell = [&](const unsigned int cell) {
+      const bool hanging = occupancy.hanging().has_matrix(cell);
+      const bool reusable =
+        at_rest && !hanging && fill.gauss_weight(cell) == 1.;
+      matrix.prefetch_cell(cell);
+      const Tensor<1, dim> &extent = occupancy.locator.extent(cell);
+      if (!reusable || (extent - last_extent).norm() > same * extent.norm())
+        {
+          gather<degree>(cell, state);
+          formulation.tangent(data);
+          if (hanging)
+            condense_tangent(cell, data);
+          last_extent = reusable ? data.extent : Tensor<1, dim>();
+        }
+      matrix.add_cell(cell, data);
+    };
+    const auto add_face = [&](const GhostFaceMatrix<dim, degree> &face,
+                              const GhostCoefficients            &coefficient) {
       matrix.add_face(face,
                       coefficient.acceleration * step.inertia +
                         coefficient.velocity * step.rate,
                       coefficient.pressure);
-    });
+    };
+    for_each_cell_and_ghost_face<degree>(add_cell, add_face);
   }
 
   template <int dim>

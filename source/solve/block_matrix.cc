@@ -9,6 +9,21 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Ask for @p k numbers that will be changed.
+    void
+    fetch(const double *from, const unsigned int k)
+    {
+      constexpr std::size_t line  = 64; // bytes
+      const char *const     begin = reinterpret_cast<const char *>(from);
+      const std::size_t     bytes = k * sizeof(double);
+      for (std::size_t i = 0; i < bytes; i += line)
+        __builtin_prefetch(begin + i, /*to write=*/1);
+      __builtin_prefetch(begin + bytes - 1, /*to write=*/1);
+    }
+  } // namespace
+
   template <int dim>
   BlockMatrix<dim>::BlockMatrix(const Occupancy<dim> &grid_occupancy,
                                 const bool            pressure)
@@ -46,18 +61,10 @@ namespace seiche
   void
   BlockMatrix<dim>::prefetch_cell(const unsigned int cell) const
   {
-    constexpr std::size_t line    = 64; // bytes
-    const unsigned int   *nodes   = occupancy.cell_nodes(cell);
-    const std::uint16_t  *entries = pattern.cell_entries(cell);
-    const unsigned int    n       = n_fields();
-    const unsigned int    n_nodes = occupancy.nodes_per_cell();
-    const auto            fetch = [](const double *from, const unsigned int k) {
-      const char *const begin = reinterpret_cast<const char *>(from);
-      const std::size_t bytes = k * sizeof(double);
-      for (std::size_t i = 0; i < bytes; i += line)
-        __builtin_prefetch(begin + i, /*to write=*/1);
-      __builtin_prefetch(begin + bytes - 1, /*to write=*/1);
-    };
+    const unsigned int  *nodes   = occupancy.cell_nodes(cell);
+    const std::uint16_t *entries = pattern.cell_entries(cell);
+    const unsigned int   n       = n_fields();
+    const unsigned int   n_nodes = occupancy.nodes_per_cell();
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int b = 0; b < n_nodes; ++b)
         {
@@ -125,8 +132,9 @@ namespace seiche
   {
     constexpr unsigned int max_nodes = GhostFaceMatrix<dim, degree>::max_nodes;
     const unsigned int     n         = n_fields();
-    std::array<unsigned int, max_nodes> order, columns, entries;
-    const auto                          column = [&](const unsigned int a) {
+    std::array<unsigned int, max_nodes>                        order, columns;
+    std::array<std::array<unsigned int, max_nodes>, max_nodes> entries;
+    const auto column = [&](const unsigned int a) {
       return pattern.column_of_local(face.nodes[a]);
     };
     for (unsigned int a = 0; a < face.n_nodes; ++a) // insertion sort
@@ -139,17 +147,27 @@ namespace seiche
     for (unsigned int b = 0; b < face.n_nodes; ++b)
       columns[b] = column(order[b]);
 
+    // all at once: what has to come from memory comes together
     for (unsigned int a = 0; a < face.n_nodes; ++a)
       {
-        const unsigned int fixed = occupancy.fixed_components(face.nodes[a]);
         pattern.find_entries(face.nodes[a],
                              columns.data(),
                              face.n_nodes,
-                             entries.data());
+                             entries[a].data());
+        for (unsigned int k = 0; k < face.n_nodes; ++k)
+          {
+            fetch(&displacement_columns[entries[a][k] * dim * n], dim * n);
+            if (with_pressure)
+              fetch(&pressure_column[entries[a][k] * n], n);
+          }
+      }
+    for (unsigned int a = 0; a < face.n_nodes; ++a)
+      {
+        const unsigned int fixed = occupancy.fixed_components(face.nodes[a]);
         for (unsigned int k = 0; k < face.n_nodes; ++k)
           {
             const unsigned int b     = order[k];
-            const std::size_t  entry = entries[k];
+            const std::size_t  entry = entries[a][k];
             const unsigned int other =
               occupancy.fixed_components(face.nodes[b]);
             for (unsigned int i = 0; i < dim; ++i)

@@ -111,16 +111,18 @@ namespace
   template <int dim, int degree>
   double
   tangent_error(const Formulation<dim> &formulation,
-                CellData<dim, degree>  &cell)
+                CellData<dim, degree>  &cell,
+                const double            largest_pressure = 30.,
+                const double            largest_offset   = 2.)
   {
     constexpr unsigned int n = CellData<dim, degree>::n_nodes;
     const unsigned int     n_unknowns =
       n * (formulation.has_pressure() ? dim + 1 : dim);
     std::vector<double> x(n * (dim + 1)), offsets(n * dim);
     for (unsigned int i = 0; i < x.size(); ++i)
-      x[i] = random(i < dim * n ? 0.02 : 3.);
+      x[i] = random(i < dim * n ? 0.02 : largest_pressure);
     for (double &offset : offsets)
-      offset = random(2.);
+      offset = random(largest_offset);
 
     set_state(cell, x, offsets);
     formulation.tangent(cell);
@@ -227,11 +229,50 @@ namespace
                   << '\n';
       }
   }
+
+  /// That the subscale's gradients turn is in the tangent unless its force is
+  /// small. Split orthogonal subscales: the force is the pressure's gradient.
+  template <int dim, int degree>
+  void
+  test_small_turn()
+  {
+    CellData<dim, degree> cell;
+    fill_cell(cell, /*theta=*/0.5, /*sliver=*/false);
+    cell.orthogonal = true;
+    FormulationParameters parameters;
+    parameters.stabilization.stabilization = "split OSGS";
+    const auto formulation =
+      make_formulation<dim>(parameters,
+                            {/*density=*/3.,
+                             std::numeric_limits<double>::infinity(),
+                             NewtonianLaw{/*viscosity=*/0.},
+                             VolumeLaw()});
+    const double limit =
+      formulation->negligible_force(cell, formulation->tau(cell)) *
+      cell.shortest_edge();
+    for (const double share : {0.05, 50.})
+      {
+        const double error =
+          tangent_error(*formulation, cell, share * limit, /*offset=*/0.);
+        std::cout << dim << "D Q" << degree << " force " << share
+                  << " of the limit: "
+                  << (error < 1e-6 ? "exact" :
+                      error < 1e-2 ? "left out" :
+                                     "WRONG")
+                  << '\n';
+        if (!(error < 1e-2))
+          std::cout << "  relative error " << error << '\n';
+      }
+  }
 } // namespace
 
 int
 main()
 {
+  test_small_turn<2, 1>();
+  test_small_turn<3, 1>();
+  test_small_turn<2, 2>();
+  test_small_turn<3, 2>();
   test_small_viscosity<2, 1>();
   test_small_viscosity<3, 1>();
   test_small_viscosity<2, 2>();

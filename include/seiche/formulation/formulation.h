@@ -32,6 +32,11 @@ namespace seiche
   /// which the tangent leaves viscous terms out.
   constexpr double negligible_viscosity = 1e-4;
 
+  /// Ratio of the subscale's share in a point's displacement to the cell,
+  /// theta tau1 |r|/h, below which the tangent leaves out that the gradients in
+  /// the subscale's term turn with u.
+  constexpr double negligible_turn = 0.005;
+
   /**
    * @brief A weak form: residual and tangent of one cell.
    *
@@ -103,6 +108,16 @@ namespace seiche
                                        step.inertia * h * h ?
                0. :
                viscosity;
+    }
+
+    /// [N/m^dim] Pressure gradients and momentum residuals up to here turn
+    /// with u without any need for the tangent to know (doc/theory.md).
+    template <int degree>
+    double
+    negligible_force(const CellData<dim, degree> &cell, const Tau &tau) const
+    {
+      return negligible_turn * cell.shortest_edge() /
+             (degree * cell.coefficients.theta * tau.momentum);
     }
 
     /// tau of a cell from its size and mean velocity.

@@ -72,51 +72,29 @@ namespace seiche
       add_inertia(cell, point, n_points, mass * cell.coefficients.inertia);
       const double theta = cell.coefficients.theta;
       const auto  &g     = point.gradient_t;
-      const Lanes  turn  = theta * volume_t * pressure;
-      // what multiplies div_t w, and w_k with du_i,k
-      Lanes h[dim][n_nodes], back[dim][n_nodes];
+      Lanes        h[dim][n_nodes]; // what multiplies div_t w
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            back[i][a] = turn * g[i][a];
-            h[i][a]    = bulk * volume_t * slope[i][a] - back[i][a];
-          }
+          h[i][a] = bulk * volume_t * slope[i][a];
       if (viscosity > 0.)
         {
           const Matrix m =
             rate_of_increment(cell, velocity_gradient, viscosity * volume_t);
+          Lanes rate[dim][n_nodes];
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int a = 0; a < n_nodes; ++a)
               {
-                Lanes rate = 0.;
+                rate[i][a] = 0.;
                 for (unsigned int j = 0; j < dim; ++j)
-                  rate += m[j][i] * g[j][a];
-                back[i][a] += rate;
-                h[i][a] -= 2. / 3. * rate;
+                  rate[i][a] += m[j][i] * g[j][a];
+                h[i][a] -= 2. / 3. * rate[i][a];
               }
+          add_transposed(cell, point, n_points, rate);
           add_laplacian(cell, point, n_points, m);
           add_turned_stress(
             cell, point, n_points, theta * volume_t, stress, pressure);
         }
-      const auto g_rows = rows_of<dim>(g), h_rows = rows_of<dim>(h),
-                 back_rows = rows_of<dim>(back);
-      for (unsigned int i = 0; i < dim; ++i)
-        {
-          Row<n_nodes> sums[dim][n_nodes];
-          for (unsigned int k = 0; k < dim; ++k)
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              sums[k][a] = load_row(cell.uu[i][k][a]);
-          for (unsigned int q = 0; q < n_points; ++q)
-            for (unsigned int k = 0; k < dim; ++k)
-              for (unsigned int a = 0; a < n_nodes; ++a)
-                {
-                  sums[k][a] += g_rows[i].values[q][a] * h_rows[k].row(q);
-                  sums[k][a] += back_rows[k].values[q][a] * g_rows[i].row(q);
-                }
-          for (unsigned int k = 0; k < dim; ++k)
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              store_row(sums[k][a], cell.uu[i][k][a]);
-        }
+      add_volume_terms(cell, point, n_points, h, theta * volume_t * pressure);
     }
 
   private:
@@ -130,6 +108,78 @@ namespace seiche
       for (unsigned int i = 0; i < dim; ++i)
         m[i][i] += cell.coefficients.rate;
       return factor * m;
+    }
+
+    /// Add div_t w h.du + turn {w_i,k du_k,i - (div_t w) (div_t du)}: the
+    /// latter is antisymmetric in i and k.
+    static void
+    add_volume_terms(CellData<dim, degree> &cell,
+                     const Kinematics      &point,
+                     const unsigned int     n_points,
+                     const Lanes (&h)[dim][n_nodes],
+                     const Lanes turn)
+    {
+      Lanes turned[dim][n_nodes];
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          turned[i][a] = turn * point.gradient_t[i][a];
+      const auto g = rows_of<dim>(point.gradient_t), h_rows = rows_of<dim>(h),
+                 turned_rows = rows_of<dim>(turned);
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            {
+              Row<n_nodes> sum = load_row(cell.uu[i][i][a]);
+              for (unsigned int q = 0; q < n_points; ++q)
+                sum += g[i].values[q][a] * h_rows[i].row(q);
+              store_row(sum, cell.uu[i][i][a]);
+            }
+          for (unsigned int k = i + 1; k < dim; ++k)
+            {
+              Row<n_nodes> ik[n_nodes], ki[n_nodes], turns[n_nodes];
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                {
+                  ik[a]    = load_row(cell.uu[i][k][a]);
+                  ki[a]    = load_row(cell.uu[k][i][a]);
+                  turns[a] = 0.;
+                }
+              for (unsigned int q = 0; q < n_points; ++q)
+                for (unsigned int a = 0; a < n_nodes; ++a)
+                  {
+                    ik[a] += g[i].values[q][a] * h_rows[k].row(q);
+                    ki[a] += g[k].values[q][a] * h_rows[i].row(q);
+                    turns[a] += turned_rows[k].values[q][a] * g[i].row(q);
+                    turns[a] -= turned_rows[i].values[q][a] * g[k].row(q);
+                  }
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                {
+                  store_row(ik[a] + turns[a], cell.uu[i][k][a]);
+                  store_row(ki[a] - turns[a], cell.uu[k][i][a]);
+                }
+            }
+        }
+    }
+
+    /// Add rate_k w_i,k du... : uu_ik += rate_k g_i.
+    static void
+    add_transposed(CellData<dim, degree> &cell,
+                   const Kinematics      &point,
+                   const unsigned int     n_points,
+                   const Lanes (&rate)[dim][n_nodes])
+    {
+      const auto g = rows_of<dim>(point.gradient_t), rows = rows_of<dim>(rate);
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            Row<n_nodes> sums[n_nodes];
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              sums[a] = load_row(cell.uu[i][k][a]);
+            for (unsigned int q = 0; q < n_points; ++q)
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                sums[a] += rows[k].values[q][a] * g[i].row(q);
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              store_row(sums[a], cell.uu[i][k][a]);
+          }
     }
 
     /// Add weight {(div_t du) s:grad_t w - s:(grad_t w grad_t du)}.

@@ -18,7 +18,8 @@ namespace seiche
     using Kinematics                      = PointKinematics<dim, degree, Lanes>;
 
     /// Terms between displacement and pressure that are products of two
-    /// vectors: up += force grad w q, pu += weight q h + grad q of_g + gp grad.
+    /// vectors: up += force grad w q, pu += weight q h + grad q inertia;
+    /// @p weight [m^dim], @p force [m^dim], @p h [1/m], @p inertia [m^(dim-1)].
     static void
     add_couplings(CellData<dim, degree> &cell,
                   const Kinematics      &point,
@@ -26,11 +27,10 @@ namespace seiche
                   const Lanes            force,
                   const Lanes            weight,
                   const Lanes (&h)[dim][n_nodes],
-                  const Lanes (&of_g)[n_nodes],
-                  const Lanes (&gp)[n_nodes])
+                  const Lanes (&inertia)[n_nodes])
     {
       using Rows = PointRows<n_nodes>;
-      const Rows       N(point.N), gp_rows(gp), of_g_rows(of_g);
+      const Rows       N(point.N), inertia_rows(inertia);
       const LaneValues force_q(force), weight_q(weight);
       for (unsigned int k = 0; k < dim; ++k)
         {
@@ -49,8 +49,7 @@ namespace seiche
                 {
                   up[a] += g.values[q][a] * force_N;
                   pu[a] += N.values[q][a] * weight_h;
-                  pu[a] += g.values[q][a] * of_g_rows.row(q);
-                  pu[a] += gp_rows.values[q][a] * g.row(q);
+                  pu[a] += g.values[q][a] * inertia_rows.row(q);
                 }
             }
           for (unsigned int a = 0; a < n_nodes; ++a)
@@ -61,43 +60,90 @@ namespace seiche
         }
     }
 
-    /// Terms with the product of two gradients, and the mass of the pressure:
-    /// pp += weight q p + fine grad q.grad p, pu_k += factor_k fine grad
-    /// q.grad.
+    /// pp += compliance q p + fine grad q.grad p: [m^(2 dim)/N], [m^(dim+2)
+    /// m^dim/N].
     static void
-    add_gradients(CellData<dim, degree>               &cell,
-                  const Kinematics                    &point,
-                  const unsigned int                   n_points,
-                  const Lanes                          weight,
-                  const Lanes                          fine,
-                  const dealii::Tensor<1, dim, Lanes> &factor)
+    add_diagonal(CellData<dim, degree> &cell,
+                 const Kinematics      &point,
+                 const unsigned int     n_points,
+                 const Lanes            compliance,
+                 const Lanes            fine)
     {
       const PointRows<n_nodes> N(point.N);
       const auto               g = rows_of<dim>(point.gradient_t);
-      const LaneValues         weight_q(weight), fine_q(fine);
-      alignas(64) double       factor_q[dim][n_lanes_of_register];
-      for (unsigned int k = 0; k < dim; ++k)
-        factor[k].copy_to(factor_q[k], std::experimental::element_aligned);
+      const LaneValues         compliance_q(compliance), fine_q(fine);
       for (unsigned int a = 0; a < n_nodes; ++a)
         {
-          Row<n_nodes> pp = load_row(cell.pp[a]), pu[dim];
+          Row<n_nodes> pp = load_row(cell.pp[a]);
+          for (unsigned int q = 0; q < n_points; ++q)
+            {
+              pp += fine_q[q] * gradient_product(g, q, a);
+              pp += compliance_q[q] * N.values[q][a] * N.row(q);
+            }
+          store_row(pp, cell.pp[a]);
+        }
+    }
+
+    /// The gradients of the subscale's term, V_t tau1 grad q.r, and of p in it
+    /// turn with the fluid:
+    /// pu += weight {(grad q.f) div du + grad q.(grad du) r - p'.(grad du)^T
+    /// grad q}, @p f = grad p + Pi r - div s, @p p' the pressure's gradient.
+    static void
+    add_turns(CellData<dim, degree>               &cell,
+              const Kinematics                    &point,
+              const unsigned int                   n_points,
+              const Lanes                          weight,
+              const dealii::Tensor<1, dim, Lanes> &f,
+              const dealii::Tensor<1, dim, Lanes> &pressure_gradient,
+              const dealii::Tensor<1, dim, Lanes> &r)
+    {
+      Lanes of_f[n_nodes], of_r[n_nodes]; // times grad N
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          of_f[a] = of_r[a] = 0.;
+          for (unsigned int j = 0; j < dim; ++j)
+            {
+              of_f[a] += weight * f[j] * point.gradient_t[j][a];
+              of_r[a] += weight * r[j] * point.gradient_t[j][a];
+            }
+        }
+      const PointRows<n_nodes> f_rows(of_f), r_rows(of_r);
+      const auto               g = rows_of<dim>(point.gradient_t);
+      alignas(64) double       p[dim][n_lanes_of_register];
+      for (unsigned int k = 0; k < dim; ++k)
+        (weight * pressure_gradient[k])
+          .copy_to(p[k], std::experimental::element_aligned);
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          Row<n_nodes> pu[dim];
           for (unsigned int k = 0; k < dim; ++k)
             pu[k] = load_row(cell.pu[k][a]);
           for (unsigned int q = 0; q < n_points; ++q)
             {
-              Row<n_nodes> product = g[0].values[q][a] * g[0].row(q);
-              for (unsigned int j = 1; j < dim; ++j)
-                product += g[j].values[q][a] * g[j].row(q);
-              product *= fine_q[q];
-              pp += product;
-              pp += weight_q[q] * N.values[q][a] * N.row(q);
+              const Row<n_nodes> product = gradient_product(g, q, a);
               for (unsigned int k = 0; k < dim; ++k)
-                pu[k] += factor_q[k][q] * product;
+                {
+                  pu[k] += f_rows.values[q][a] * g[k].row(q);
+                  pu[k] += g[k].values[q][a] * r_rows.row(q);
+                  pu[k] -= p[k][q] * product;
+                }
             }
-          store_row(pp, cell.pp[a]);
           for (unsigned int k = 0; k < dim; ++k)
             store_row(pu[k], cell.pu[k][a]);
         }
+    }
+
+  private:
+    /// grad N_a.grad N_b at point q, for all b.
+    static Row<n_nodes>
+    gradient_product(const std::array<PointRows<n_nodes>, dim> &g,
+                     const unsigned int                         q,
+                     const unsigned int                         a)
+    {
+      Row<n_nodes> product = g[0].values[q][a] * g[0].row(q);
+      for (unsigned int j = 1; j < dim; ++j)
+        product += g[j].values[q][a] * g[j].row(q);
+      return product;
     }
   };
 } // namespace seiche

@@ -150,10 +150,13 @@ namespace seiche
     void
     condense_tangent(const unsigned int cell, CellData<dim, degree> &data);
 
-    /// f(face matrix, coefficients) on each ghost face of this rank.
-    template <int degree, typename Function>
+    /// add_cell(cell) on each occupied cell, add_face(face matrix,
+    /// coefficients) on each ghost face of this rank: after the cell that the
+    /// list of faces has it from, in the order of that list.
+    template <int degree, typename AddCell, typename AddFace>
     void
-    for_each_ghost_face(const Function &f);
+    for_each_cell_and_ghost_face(const AddCell &add_cell,
+                                 const AddFace &add_face);
 
     const Quadrature<dim> &quadrature;
     const Fill<dim>       &fill;

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/solve/boomer_amg.h>
+
+#include <HYPRE.h>
+
+#include <numeric>
+
+namespace seiche
+{
+  namespace
+  {
+    template <typename Object>
+    Object
+    object_of(HYPRE_IJMatrix matrix)
+    {
+      void *object;
+      HYPRE_IJMatrixGetObject(matrix, &object);
+      return static_cast<Object>(object);
+    }
+
+    HYPRE_ParVector
+    object_of(HYPRE_IJVector vector)
+    {
+      void *object;
+      HYPRE_IJVectorGetObject(vector, &object);
+      return static_cast<HYPRE_ParVector>(object);
+    }
+
+    HYPRE_IJVector
+    make_vector(const MPI_Comm communicator, const int first, const int last)
+    {
+      HYPRE_IJVector result;
+      HYPRE_IJVectorCreate(communicator, first, last, &result);
+      HYPRE_IJVectorSetObjectType(result, HYPRE_PARCSR);
+      HYPRE_IJVectorInitialize(result);
+      HYPRE_IJVectorAssemble(result);
+      return result;
+    }
+  } // namespace
+
+  BoomerAMG::BoomerAMG()
+  {
+    static const int initialized = HYPRE_Init();
+    (void)initialized;
+  }
+
+  BoomerAMG::~BoomerAMG()
+  {
+    clear();
+  }
+
+  void
+  BoomerAMG::clear()
+  {
+    if (solver == nullptr)
+      return;
+    HYPRE_BoomerAMGDestroy(solver);
+    HYPRE_IJMatrixDestroy(matrix);
+    HYPRE_IJVectorDestroy(right_hand_side);
+    HYPRE_IJVectorDestroy(solution);
+    solver = nullptr;
+  }
+
+  void
+  BoomerAMG::initialize(const DistributedRows &rows,
+                        const MPI_Comm         communicator)
+  {
+    clear();
+    n_rows         = rows.length.size();
+    const int last = rows.first + n_rows - 1;
+    HYPRE_IJMatrixCreate(
+      communicator, rows.first, last, rows.first, last, &matrix);
+    HYPRE_IJMatrixSetObjectType(matrix, HYPRE_PARCSR);
+    HYPRE_IJMatrixSetRowSizes(matrix, rows.length.data());
+    HYPRE_IJMatrixSetMaxOffProcElmts(matrix, 0);
+    HYPRE_IJMatrixInitialize(matrix);
+    std::vector<int> numbers(n_rows), lengths(rows.length);
+    std::iota(numbers.begin(), numbers.end(), rows.first);
+    HYPRE_IJMatrixSetValues(matrix,
+                            n_rows,
+                            lengths.data(),
+                            numbers.data(),
+                            rows.column.data(),
+                            rows.value.data());
+    HYPRE_IJMatrixAssemble(matrix);
+    right_hand_side = make_vector(communicator, rows.first, last);
+    solution        = make_vector(communicator, rows.first, last);
+
+    static const auto ev = [](const char *n, double d) {
+      return std::getenv(n) ? std::atof(std::getenv(n)) : d;
+    };
+    HYPRE_BoomerAMGCreate(&solver);
+    HYPRE_BoomerAMGSetMaxIter(solver, 1);
+    HYPRE_BoomerAMGSetTol(solver, 0.);
+    HYPRE_BoomerAMGSetPrintLevel(solver, 0);
+    HYPRE_BoomerAMGSetCoarsenType(solver, ev("HC", 10)); // HMIS
+    HYPRE_BoomerAMGSetInterpType(solver, ev("HI", 6));   // extended+i
+    HYPRE_BoomerAMGSetPMaxElmts(solver, ev("HP", 4));
+    HYPRE_BoomerAMGSetAggNumLevels(solver, ev("HA", 1));
+    HYPRE_BoomerAMGSetStrongThreshold(solver, ev("HS", .5));
+    HYPRE_BoomerAMGSetRelaxType(solver,
+                                ev("HR", 8)); // l1 symmetric Gauss-Seidel
+    HYPRE_BoomerAMGSetMaxCoarseSize(solver, ev("HM", 100));
+    HYPRE_BoomerAMGSetup(solver,
+                         object_of<HYPRE_ParCSRMatrix>(matrix),
+                         object_of(right_hand_side),
+                         object_of(solution));
+  }
+
+  void
+  BoomerAMG::vmult(Vector &dst, const Vector &src) const
+  {
+    HYPRE_IJVectorSetValues(right_hand_side, n_rows, nullptr, src.begin());
+    HYPRE_ParVectorSetConstantValues(object_of(solution), 0.);
+    HYPRE_BoomerAMGSolve(solver,
+                         object_of<HYPRE_ParCSRMatrix>(matrix),
+                         object_of(right_hand_side),
+                         object_of(solution));
+    HYPRE_IJVectorGetValues(solution, n_rows, nullptr, dst.begin());
+  }
+} // namespace seiche
