@@ -51,7 +51,7 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     const Tau              tau     = this->tau(cell);
-    const bool             splits  = this->stabilization.is_split();
+    const bool             splits  = this->stabilization.is_split;
     PointKinematics<dim, degree, Lanes> point;
     Lanes residual_u[dim][n_nodes] = {}, residual_p[n_nodes] = {};
     for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
@@ -120,7 +120,7 @@ namespace seiche
     const double theta            = cell.coefficients.theta;
     const double kappa            = this->material.bulk_modulus;
     const double weight_g         = 1. - tau.continuity / kappa;
-    const bool   splits           = this->stabilization.is_split();
+    const bool   splits           = this->stabilization.is_split;
     const double negligible_force = this->negligible_force(cell, tau);
     PointKinematics<dim, degree, Lanes> point;
     for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
@@ -215,8 +215,8 @@ namespace seiche
   {
     cell.clear_residual();
     const Tau                    tau    = this->tau(cell);
-    const bool                   splits = this->stabilization.is_split();
-    const bool                   lumped = this->stabilization.projects_lumped();
+    const bool                   splits = this->stabilization.is_split;
+    const bool                   lumped = this->stabilization.projects_lumped;
     PointKinematics<dim, degree> point;
     for (unsigned int q = 0; q < cell.quadrature.size; ++q)
       {

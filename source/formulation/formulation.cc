@@ -78,4 +78,5 @@ namespace seiche
     const FormulationParameters &, const MaterialConstants &);
   INSTANTIATE(2)
   INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace seiche

@@ -27,6 +27,13 @@ namespace seiche
              (cell.h * cell.h);
     }
 
+    double
+    transient(const StabilizationParameters &p, const TauArguments &cell)
+    {
+      return p.inertia_factor * cell.density * cell.step.inertia +
+             viscous_part(p, cell);
+    }
+
     /// |v|, which would make tau1 infinite where it is zero.
     double
     floored_speed(const StabilizationParameters &p, const TauArguments &cell)
@@ -43,11 +50,7 @@ namespace seiche
     };
 
     const std::array<TauEntry, 3> tau_table = {
-      {{"transient",
-        true,
-        [](const StabilizationParameters &p, const TauArguments &cell) {
-          return p.inverse_transient_tau(cell);
-        }},
+      {{"transient", true, transient},
        {"root of squares",
         true,
         [](const StabilizationParameters &p, const TauArguments &cell) {
@@ -144,32 +147,36 @@ namespace seiche
     prm.leave_subsection();
   }
 
-  bool
-  StabilizationParameters::tau_is_uniform() const
-  {
-    return tau_entry(tau).is_uniform;
-  }
+  Stabilization::Stabilization(const StabilizationParameters &p)
+    : parameters(p)
+    , is_active(p.stabilization != "none")
+    , is_split(p.is_split())
+    , projects_lumped(p.projects_lumped())
+    , tau_is_uniform(tau_entry(p.tau).is_uniform)
+    , inverse_tau(*tau_entry(p.tau).inverse)
+  {}
 
   double
-  StabilizationParameters::inverse_transient_tau(const TauArguments &cell) const
+  Stabilization::inverse_transient_tau(const TauArguments &cell) const
   {
-    return inertia_factor * cell.density * cell.step.inertia +
-           viscous_part(*this, cell);
+    return transient(parameters, cell);
   }
 
   Tau
-  StabilizationParameters::evaluate(const TauArguments &cell) const
+  Stabilization::evaluate(const TauArguments &cell) const
   {
     Tau result;
-    if (!is_active())
+    if (!is_active)
       return result;
-    const double inverse = tau_entry(tau).inverse(*this, cell);
-    const double scale   = cell.h * cell.h * inverse; // [Pa]
-    result.momentum      = 1. / inverse;
-    result.continuity    = continuity_factor * scale;
-    if (continuity_time > cell.step.dt)
-      result.continuity *= cell.step.dt / continuity_time;
-    result.continuity += std::min(continuity_modulus, largest_modulus * scale);
+    const StabilizationParameters &p       = parameters;
+    const double                   inverse = inverse_tau(p, cell);
+    const double                   scale   = cell.h * cell.h * inverse; // [Pa]
+    result.momentum                        = 1. / inverse;
+    result.continuity                      = p.continuity_factor * scale;
+    if (p.continuity_time > cell.step.dt)
+      result.continuity *= cell.step.dt / p.continuity_time;
+    result.continuity +=
+      std::min(p.continuity_modulus, largest_modulus * scale);
     result.continuity /= 1. + result.continuity / cell.bulk_modulus;
     return result;
   }

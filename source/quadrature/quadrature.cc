@@ -234,4 +234,5 @@ namespace seiche
     const GaussRatio);
   INSTANTIATE(2)
   INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace seiche

@@ -222,10 +222,10 @@ namespace seiche
             largest = std::max(largest, speed / locator.reach(cell)[d]);
           }
       }
-    largest =
-      std::max(largest,
-               step_solver.wall_way(time_stepper.time(), scene.time.step) /
-                 scene.time.step);
+    // now and over a step, which may take a wall there and back
+    for (const double dt : {1e-3 * scene.time.step, scene.time.step})
+      largest =
+        std::max(largest, step_solver.wall_way(time_stepper.time(), dt) / dt);
     return Utilities::MPI::max(largest, communicator);
   }
 

@@ -131,11 +131,11 @@ namespace seiche
       wall_conditions.set_displacement(state, step, rate_offset);
       wall_contact.begin_iteration(step, rate_offset);
       assembler.begin(step, state.time, inertia_offset, rate_offset);
-      const NewtonResult result = newton.solve(state);
-      last.iterations           = result.iterations;
-      last.krylov_iterations += result.krylov_iterations;
-      if (!result.converged)
-        return result.failure;
+      const unsigned int of_projection = last.krylov_iterations;
+      last                             = newton.solve(state);
+      last.krylov_iterations += of_projection;
+      if (!last.converged)
+        return last.failure;
     }
     time_scheme.finish(state);
     return "";
@@ -194,9 +194,11 @@ namespace seiche
   StepSolver<dim>::step_coefficients(const double dt, const double share) const
   {
     StepCoefficients result = time_scheme.coefficients(dt);
-    result.volume_recovery  = scene.volume_relaxation_time > 0. ?
-                                std::min(1., dt / scene.volume_relaxation_time) :
-                                share;
+    if (is_incompressible) // else the volume change is the pressure
+      result.volume_recovery =
+        scene.volume_relaxation_time > 0. ?
+          std::min(1., dt / scene.volume_relaxation_time) :
+          share;
     return result;
   }
 

@@ -19,7 +19,7 @@ namespace seiche
     , occupancy(grid_fill.occupancy)
     , body_force(force)
     , timer(timer_tree)
-    , tau_is_uniform(weak_form.stabilization.tau_is_uniform())
+    , tau_is_uniform(weak_form.stabilization.tau_is_uniform)
   {}
 
   template <int dim>

@@ -362,4 +362,5 @@ namespace seiche
   INSTANTIATE(2, 2)
   INSTANTIATE(3, 1)
   INSTANTIATE(3, 2)
+#undef INSTANTIATE
 } // namespace seiche

@@ -57,4 +57,5 @@ namespace seiche
     const typename BlockMatrix<dim>::BlockVector &);
   INSTANTIATE(2)
   INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace seiche

@@ -102,4 +102,5 @@ namespace seiche
     const double);
   INSTANTIATE(2)
   INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace seiche

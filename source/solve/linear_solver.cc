@@ -55,8 +55,9 @@ namespace seiche
                       Patterns::Selection("automatic|direct|iterative"));
     prm.add_parameter("Linear tolerance",
                       tolerance,
-                      "Largest reduction of the residual asked of a linear "
-                      "solve; later Newton iterations ask for more [-]",
+                      "Residual over its first value at which the first linear "
+                      "solve of a step ends; later Newton iterations ask for "
+                      "more [-]",
                       Patterns::Double(1e-15, 0.9));
     prm.add_parameter("Projection tolerance",
                       projection_tolerance,

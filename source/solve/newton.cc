@@ -23,6 +23,13 @@ namespace seiche
     /// of the reduction still needed to what the old one promised: the next
     /// iteration then ends as with a new one. Measured: doc/performance.md.
     constexpr double tangent_serves_below = 0.3;
+
+    /// 1 for nothing over nothing.
+    double
+    ratio(const double numerator, const double denominator)
+    {
+      return denominator > 0. ? numerator / denominator : 1.;
+    }
   } // namespace
 
   void
@@ -126,9 +133,9 @@ namespace seiche
 
   template <int dim>
   std::string
-  Newton<dim>::not_converged(const Norms       &now,
-                             const Norms       &first,
-                             const unsigned int iterations) const
+  Newton<dim>::reason_to_stop(const Norms       &now,
+                              const Norms       &first,
+                              const unsigned int iterations) const
   {
     if (iterations < parameters.maximum_iterations &&
         std::isfinite(now.momentum + now.volume))
@@ -137,8 +144,8 @@ namespace seiche
       "Newton stopped after {} iterations, residuals {:.1e} and {:.1e} of "
       "their first values",
       iterations,
-      now.momentum / first.momentum,
-      first.volume > 0. ? now.volume / first.volume : 0.);
+      ratio(now.momentum, first.momentum),
+      ratio(now.volume, first.volume));
   }
 
   template <int dim>
@@ -167,7 +174,9 @@ namespace seiche
     };
     while (true)
       {
-        if ((result.iterations > 0 || is_small()) && contact.correct(state))
+        const bool is_finite = std::isfinite(now.momentum + now.volume);
+        if (is_finite && (result.iterations > 0 || is_small()) &&
+            contact.correct(state))
           {
             assembler.residual(state, residual);
             now   = norms(residual);
@@ -175,7 +184,7 @@ namespace seiche
           }
         if (is_small())
           break;
-        result.failure = not_converged(now, first, result.iterations);
+        result.failure = reason_to_stop(now, first, result.iterations);
         if (!result.failure.empty())
           return result;
         if (!reuse)
@@ -203,10 +212,9 @@ namespace seiche
           assembler.residual(state, residual);
         now = norms(residual);
 
-        const double needed =
-          std::min(target.momentum / now.momentum,
-                   now.volume > 0. ? target.volume / now.volume : 1.);
-        reuse = tangent_serves(needed, before);
+        const double needed = std::min(ratio(target.momentum, now.momentum),
+                                       ratio(target.volume, now.volume));
+        reuse               = tangent_serves(needed, before);
         // never ask the next solve for much more than is left to gain
         forcing = std::clamp(0.9 * std::pow(after / before, 2),
                              std::min(0.3 * needed, largest_forcing),

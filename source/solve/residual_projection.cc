@@ -38,7 +38,7 @@ namespace seiche
     : assembler(a)
     , quadrature(rule)
     , occupancy(occupied)
-    , parameters(a.formulation.stabilization)
+    , parameters(a.formulation.stabilization.parameters)
     , active(a.formulation.has_pressure() && parameters.is_orthogonal())
     , lumped(parameters.projects_lumped())
   {}

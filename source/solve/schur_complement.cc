@@ -55,19 +55,17 @@ namespace seiche
                                    const Vector            &mass,
                                    const bool               is_closed)
   {
-    matrix                           = &system_matrix;
-    closed                           = is_closed;
-    const StepCoefficients        &c = assembler.coefficients();
-    const StabilizationParameters &stabilization =
-      assembler.formulation.stabilization;
+    matrix                                = &system_matrix;
+    closed                                = is_closed;
+    const StepCoefficients &c             = assembler.coefficients();
+    const Stabilization    &stabilization = assembler.formulation.stabilization;
     set_viscous_part(2. * material.viscosity(c) * c.rate,
                      material.density,
                      mass);
 
     // the hierarchy belongs to L/rho = D/(rho tau1); S = (L/rho)/C_a
-    const bool scaled =
-      stabilization.is_active() && stabilization.tau_is_uniform();
-    factor = scaled ? c.inertia : 1.;
+    const bool scaled = stabilization.is_active && stabilization.tau_is_uniform;
+    factor            = scaled ? c.inertia : 1.;
     if (scaled && generation == matrix->generation())
       return true;
 
@@ -77,8 +75,7 @@ namespace seiche
     const MPI_Comm communicator = mass.get_mpi_communicator();
     if (!scaled)
       {
-        amg.initialize(product(stabilization.is_active() ? c.inertia : 0.,
-                               mass),
+        amg.initialize(product(stabilization.is_active ? c.inertia : 0., mass),
                        communicator);
         return false;
       }

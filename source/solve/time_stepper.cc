@@ -131,26 +131,24 @@ namespace seiche
   TimeStepper::next_step(const double speed_per_cell)
   {
     const bool is_controlled = parameters.control != "fixed";
-    dt                       = parameters.step;
-    if (is_controlled)
-      {
-        if (speed_per_cell * dt > parameters.cfl)
-          dt = parameters.cfl / speed_per_cell;
-        dt = std::max(dt, smallest_step());
-      }
+    double     limit         = parameters.step;
+    if (is_controlled && speed_per_cell * limit > parameters.cfl)
+      limit = parameters.cfl / speed_per_cell;
+    dt = std::max(reduction * limit, smallest_step());
     if (parameters.controls_error())
       {
         least_accurate =
-          std::max(least_share * dt, std::min(parameters.minimum_step, dt));
-        dt = wanted_dt > 0. ? std::clamp(wanted_dt, least_accurate, dt) :
-                              first_share * dt;
+          std::min(std::max(least_share * limit, smallest_step()), dt);
+        dt = std::clamp(wanted_dt > 0. ? wanted_dt : first_share * limit,
+                        least_accurate,
+                        dt);
       }
-    dt                = std::max(dt * reduction, smallest_step());
     const double rest = parameters.end_time - now;
     if (rest <= stretch * dt)
       dt = rest;
     else if (is_controlled && rest < 2. * dt)
       dt = 0.5 * rest; // no tiny last step
+    first_tried = dt;
     return dt;
   }
 
@@ -159,9 +157,9 @@ namespace seiche
   {
     ++n_rejected;
     good_steps = 0;
-    reduction *= 0.5;
+    reduction  = std::max(0.5 * reduction, smallest_step() / parameters.step);
     dt *= 0.5;
-    if (dt < 0.5 * smallest_step())
+    if (dt < 0.5 * std::min(smallest_step(), first_tried)) // a short last one
       throw NumericalError(fmt::format(
         "step {}, t = {:.6g} s: {}, also at the smallest step {:.3g} s. "
         "The points are as they were at the start of this step. What may "

@@ -62,4 +62,5 @@ namespace seiche
     const double);
   INSTANTIATE(2)
   INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace seiche

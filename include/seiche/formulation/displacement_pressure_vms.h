@@ -11,8 +11,8 @@ namespace seiche
    *
    * doc/theory.md, "Mixed form" (Codina 2000-2008; Badia and Codina 2009). The
    * pressure equation is multiplied by -1 against the paper's, so that its
-   * diagonal block is positive. Second derivatives of the velocity are left
-   * out: for FE_Q(1) and mu c_r << rho C_a h^2 they do not change the order.
+   * diagonal block is positive. FE_Q(1) leaves second derivatives of the
+   * velocity out: for mu c_r << rho C_a h^2 they do not change the order.
    */
   template <int dim>
   class DisplacementPressureVMS : public Formulation<dim>

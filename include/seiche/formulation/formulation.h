@@ -145,8 +145,8 @@ namespace seiche
               speed};
     }
 
-    const MaterialConstants       material;
-    const StabilizationParameters stabilization;
+    const MaterialConstants material;
+    const Stabilization     stabilization;
   };
 
   /// prm entry "Formulation/Name" beside the stabilization's.

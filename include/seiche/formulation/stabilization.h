@@ -52,12 +52,6 @@ namespace seiche
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    bool
-    is_active() const
-    {
-      return stabilization != "none";
-    }
-
     /// True if the subscales are orthogonal to the finite elements.
     bool
     is_orthogonal() const
@@ -78,11 +72,26 @@ namespace seiche
     {
       return projection_mass == "lumped";
     }
+  };
 
-    /// True if tau1 is the same in all cells of a size: the pressure block is
-    /// then a scaled copy of the Schur complement.
-    bool
-    tau_is_uniform() const;
+  /**
+   * @brief The variational multiscale terms as chosen, for the weak forms: no
+   * name is looked up in a cell.
+   */
+  class Stabilization
+  {
+  public:
+    explicit Stabilization(const StabilizationParameters &parameters);
+
+    const StabilizationParameters parameters;
+
+    const bool is_active;       ///< there are subscales
+    const bool is_split;        ///< StabilizationParameters::is_split()
+    const bool projects_lumped; ///< StabilizationParameters::projects_lumped()
+
+    /// tau1 is the same in all cells of a size: the pressure block is then a
+    /// scaled copy of the Schur complement.
+    const bool tau_is_uniform;
 
     /// 1/tau1 [N/m^4] of the transient choice, also used by the ghost penalty.
     double
@@ -98,6 +107,10 @@ namespace seiche
      */
     Tau
     evaluate(const TauArguments &cell) const;
+
+  private:
+    double (&inverse_tau)(const StabilizationParameters &,
+                          const TauArguments &); ///< 1/tau1 [N/m^4]
   };
 } // namespace seiche
 

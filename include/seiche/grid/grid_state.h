@@ -40,7 +40,8 @@ namespace seiche
     Vector velocity_n;      ///< [m/s] from the points
     Vector velocity_start;  ///< [m/s] v_0: with walls, projected
     Vector velocity_series; ///< [m/s] XPIC: M^-1 p by its series, or empty
-    Vector acceleration_n;  ///< [m/s^2] empty unless the scheme carries it
+    Vector acceleration_n;  ///< [m/s^2] empty unless the scheme carries it or
+                            ///< the step's error is estimated from it
 
     /// Unknowns: block 0 the displacement since t_n [m], block 1 the pressure
     /// [Pa] (there is no block 1 in the irreducible form).

@@ -27,7 +27,7 @@ namespace seiche
     double theta           = 1.; ///< [-]
     double inertia         = 0.; ///< [1/s^2]
     double rate            = 0.; ///< [1/s]
-    double volume_recovery = 1.; ///< [-] theta_J = min(1, dt/T_relax)
+    double volume_recovery = 1.; ///< [-] theta_J: doc/notation.md
     bool   viscous         = true;
     bool   body_force      = true;
     bool   damping         = true; ///< ghost penalty on velocity jumps

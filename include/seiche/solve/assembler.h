@@ -72,7 +72,8 @@ namespace seiche
     void
     residual(GridState<dim> &state, BlockVector &residual);
 
-    /// Derivative of residual(). Collective.
+    /// Derivative of residual() (in a closed domain but for the mean that it
+    /// leaves out). Collective.
     void
     tangent(const GridState<dim> &state, BlockMatrix<dim> &matrix);
 
@@ -131,7 +132,7 @@ namespace seiche
             CellData<dim, degree> &data,
             BlockVector           &sums) const;
 
-    /// The same of a body force that varies, at the places that v_0 predicts:
+    /// Values of a body force that varies, at the places that v_0 predicts:
     /// second order, and the tangent does not need the gradient of the
     /// expression.
     template <int degree>

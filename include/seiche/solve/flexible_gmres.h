@@ -2,8 +2,6 @@
 #ifndef seiche_solve_flexible_gmres_h
 #define seiche_solve_flexible_gmres_h
 
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
 #include <deal.II/lac/vector_memory.h>
 
 #include <cmath>
@@ -42,8 +40,10 @@ namespace seiche
           const unsigned int    maximum)
     {
       iterations = 0;
-      x          = 0.;
-      w          = Pointer(memory);
+      v.clear(); // left there by an exception
+      z.clear();
+      x = 0.;
+      w = Pointer(memory);
       w->reinit(b, /*omit_zeroing=*/true);
       *w = b;
       while (true)

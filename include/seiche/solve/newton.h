@@ -75,7 +75,8 @@ namespace seiche
     scales(const GridState<dim> &state) const;
 
     /// Add the update to the solution, or the largest half, quarter, ... of it
-    /// that makes the residual fall below @p before. The new residual's norm.
+    /// that makes the residual fall below @p before, a sixteenth in any case.
+    /// The new residual's norm.
     double
     move(GridState<dim> &state, const double before);
 
@@ -86,9 +87,9 @@ namespace seiche
 
     /// Why the iteration must stop, or nothing.
     std::string
-    not_converged(const Norms       &now,
-                  const Norms       &first,
-                  const unsigned int iterations) const;
+    reason_to_stop(const Norms       &now,
+                   const Norms       &first,
+                   const unsigned int iterations) const;
 
     const NewtonParameters   parameters;
     const double             largest_forcing;

@@ -120,6 +120,7 @@ namespace seiche
     const TimeStepParameters parameters;
     double                   now         = 0.; ///< [s] start of the step
     double                   dt          = 0.; ///< [s] of the step
+    double                   first_tried = 0.; ///< [s] before it was repeated
     double                   previous_dt = 0.; ///< [s] of the step before
     double                   wanted_dt = 0.; ///< [s] by the error; 0: none yet
     double least_accurate   = 0.; ///< [s] the error cuts a step to this at most

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// TimeStepper: sizes of steps after failures and large errors, of the last
+// step, and when it gives up.
+#include <seiche/solve/time_stepper.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <iostream>
+#include <string>
+
+namespace
+{
+  using seiche::TimeStepParameters;
+  using seiche::TimeStepper;
+
+  TimeStepParameters
+  make_parameters(const std::string &control)
+  {
+    TimeStepParameters result;
+    result.control         = control;
+    result.step            = 1.;
+    result.end_time        = 100.;
+    result.cfl             = 0.5;
+    result.error_tolerance = 0.01;
+    return result;
+  }
+
+  /// Two failures, then steps that succeed.
+  void
+  test_failures(const std::string &control)
+  {
+    TimeStepper stepper(make_parameters(control));
+    std::cout << control << ", two failures in the third step:";
+    for (unsigned int step = 0; step < 16; ++step)
+      {
+        double dt = stepper.next_step(/*speed_per_cell=*/0.1);
+        if (step == 2)
+          for (unsigned int i = 0; i < 2; ++i)
+            dt = stepper.repeat("as a test");
+        double same = dt;
+        stepper.is_accurate(/*error=*/1e-6, same);
+        stepper.accept();
+        std::cout << ' ' << dt;
+      }
+    std::cout << '\n';
+  }
+
+  /// An error that no size cures: cuts, then the least size stays.
+  void
+  test_noise(const double minimum_step, const double speed_per_cell)
+  {
+    TimeStepParameters parameters = make_parameters("error");
+    parameters.minimum_step       = minimum_step;
+    TimeStepper stepper(parameters);
+    for (unsigned int step = 0; step < 20; ++step)
+      {
+        double dt = stepper.next_step(speed_per_cell);
+        while (!stepper.is_accurate(/*error=*/1., dt))
+          ;
+        stepper.accept();
+      }
+    std::cout << "noise, smallest step " << minimum_step << ", speed "
+              << speed_per_cell << ": size " << stepper.previous_step()
+              << ", repeated " << stepper.rejected() << '\n';
+  }
+
+  /// Failures until it gives up, in the first step to @p end_time.
+  void
+  test_give_up(const std::string &control, const double end_time)
+  {
+    TimeStepParameters parameters = make_parameters(control);
+    parameters.end_time           = end_time;
+    TimeStepper  stepper(parameters);
+    unsigned int failures = 0;
+    const double begin    = stepper.next_step(0.1);
+    try
+      {
+        while (failures < 100)
+          {
+            ++failures;
+            stepper.repeat("as a test");
+          }
+      }
+    catch (const seiche::NumericalError &)
+      {
+        std::cout << control << " from " << begin << ": gives up after "
+                  << failures << " failures, share " << stepper.share() << '\n';
+      }
+  }
+} // namespace
+
+int
+main()
+{
+  for (const char *control : {"fixed", "CFL", "error"})
+    test_failures(control);
+  test_noise(0., 0.1);
+  test_noise(0., 100.);
+  test_noise(0., 1000.);
+  test_noise(0.1, 0.1);
+  for (const char *control : {"fixed", "CFL", "error"})
+    for (const double end_time : {100., 1e-5})
+      test_give_up(control, end_time);
+}
