@@ -8,6 +8,8 @@ and returns a dictionary with at least
     start_seconds         from the start to the first step [s], or None
 """
 
+import glob
+import hashlib
 import json
 import os
 import shutil
@@ -65,6 +67,11 @@ class Seiche:
     def is_installed(self):
         return os.access(self.program, os.X_OK)
 
+    def identity(self):
+        """Changes with the program, as of the other codes."""
+        with open(self.program, "rb") as file:
+            return hashlib.sha1(file.read()).hexdigest()
+
     def run(self, arguments, folder):
         run = os.path.join(folder, "run")
         shutil.rmtree(run, ignore_errors=True)
@@ -93,6 +100,11 @@ class OpenFoam:
     def is_installed(self):
         return shutil.which("interFoam") is not None
 
+    def identity(self):
+        import openfoam
+
+        return openfoam.version()
+
     def run(self, arguments, folder):
         import openfoam
 
@@ -105,6 +117,11 @@ class Kratos:
 
     def is_installed(self):
         return os.access(KRATOS_PYTHON, os.X_OK)
+
+    def identity(self):
+        packages = os.path.dirname(os.path.dirname(KRATOS_PYTHON))
+        return " ".join(sorted(map(os.path.basename, glob.glob(
+            os.path.join(packages, "lib", "*", "site-packages", "Kratos*.dist-info")))))
 
     def run(self, arguments, folder):
         wall, cpu = measured([KRATOS_PYTHON, os.path.join(PEERS, "kratos_mpm.py"), *arguments,

@@ -12,11 +12,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 FLAGS = ["-O3", "-march=native", "-fopenmp", "-mprefer-vector-width=512"]
 
 
-def best(name, flags=()):
+def best(name):
     """The largest figure of a program of machine/, of three runs."""
     with tempfile.TemporaryDirectory() as folder:
         program = os.path.join(folder, name)
-        subprocess.run(["gcc", *FLAGS, *flags, os.path.join(HERE, "machine", name + ".c"), "-o",
+        subprocess.run(["gcc", *FLAGS, os.path.join(HERE, "machine", name + ".c"), "-o",
                         program], check=True)
         values = []
         for _ in range(3):

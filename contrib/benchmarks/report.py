@@ -26,6 +26,8 @@ def write_table(path, case, rows, machine):
              "| " + " | ".join(columns) + " |", "|" + "---|" * len(columns)]
     for row in rows:
         lines.append("| " + " | ".join(text_of(h, row[key]) for h, key in columns.items()) + " |")
+    lines += ["", "Arguments of the runs:", ""]
+    lines += [f"- {row['run']}: {' '.join(map(str, row['arguments']))}" for row in rows]
     text = "\n".join(lines) + "\n"
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
@@ -33,7 +35,7 @@ def write_table(path, case, rows, machine):
 
 
 def write_plot(path, case, rows):
-    """Error against processor time, a panel an error and a colour a code."""
+    """Error against processor time, a panel an error and a line a program."""
     rows = [row for row in rows if not row["is_reference"]]
     if not case.errors or not rows:
         return
@@ -41,15 +43,15 @@ def write_plot(path, case, rows):
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    codes = sorted({row["version"] for row in rows})
+    series = sorted({row["series"] for row in rows})
     figure, axes = plt.subplots(1, len(case.errors), figsize=(4.6 * len(case.errors), 3.6),
                                 squeeze=False)
     for axis, name in zip(axes[0], case.errors):
-        for code in codes:
+        for name_of_series in series:
             points = sorted((r[case.time], r[name]) for r in rows
-                            if r["version"] == code and r[name] is not None)
+                            if r["series"] == name_of_series and r[name] is not None)
             if points:
-                axis.loglog(*zip(*points), "o-", label=code)
+                axis.loglog(*zip(*points), "o-", label=name_of_series)
         axis.set_xlabel("processor time [s]")
         axis.set_ylabel(f"error of {name}")
         axis.grid(True, which="both", alpha=0.3)

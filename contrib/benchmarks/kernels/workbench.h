@@ -5,7 +5,7 @@
 #include <seiche/grid/wall_conditions.h>
 #include <seiche/postprocess/postprocessor.h>
 #include <seiche/simulation/scene.h>
-#include <seiche/solve/velocity_projection.h>
+#include <seiche/solve/assembler.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -80,12 +80,6 @@ struct Workbench : ParsedScene<dim>
                 body_force,
                 scene.free_surface,
                 timer)
-    , solver(scene.linear_solver, scene.material(), timer)
-    , projection(assembler,
-                 matrix,
-                 solver,
-                 scene.linear_solver.projection_tolerance,
-                 scene.time.projection_sweeps)
   {
     seiche::seed_bodies(
       scene.seeding, scene.bodies, scene.input, scene.fluid.density, points);
@@ -148,8 +142,6 @@ struct Workbench : ParsedScene<dim>
   const seiche::Transfer<dim>                     transfer;
   seiche::BlockMatrix<dim>                        matrix;
   seiche::Assembler<dim>                          assembler;
-  seiche::LinearSolver<dim>                       solver;
-  seiche::VelocityProjection<dim>                 projection;
   seiche::GridState<dim>                          state;
   Vector                                          inertia_offset, rate_offset;
   BlockVector                                     residual, solution;

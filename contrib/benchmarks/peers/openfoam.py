@@ -5,8 +5,8 @@ front, height or centre pressure.
 
 Dam break (two dimensions): the same tank, but 1.8 m high and open at the top, slip walls, air of
 1 kg/m^3, no surface tension. Patch: in a box of 3.6 m of air of density 1e-3.
-Tank with a box: openfoam_marin.py. Front: last crossing of the volume fraction 0.5 along the lowest row of cells;
-height: first crossing along the left column.
+Tank with a box: openfoam_marin.py. Front: last crossing of the volume fraction 0.5 at y = 0.025 m, the middle of
+the lowest cell of the coarsest grid; height: first crossing along the left column.
 """
 
 import argparse
@@ -17,6 +17,7 @@ import subprocess
 import tempfile
 
 LENGTH, COLUMN_WIDTH, COLUMN_HEIGHT, HEIGHT, GRAVITY = 3.22, 1.2, 0.6, 1.8, 9.81
+FRONT_HEIGHT = 0.025 - 1e-6  # within a cell, not between two [m]
 THICKNESS = 0.1  # of the one layer of cells [m]
 HALF_BOX = 1.8  # of the patch's box [m]
 AIR = 1e-3  # density of its air
@@ -128,7 +129,8 @@ boundary (
  bottom {{ type wall; faces ((0 1 7 6) (1 2 8 7)); }} top {{ type patch; faces ((3 9 10 4) (4 10 11 5)); }}
  frontAndBack {{ type empty; faces ((0 3 4 1) (1 4 5 2) (6 7 10 9) (7 8 11 10)); }} );""")
     raster = "writeControl adjustableRunTime; writeInterval 0.01;"
-    write_control(folder, options, probes("bottom", "alpha.water", [(x, ys[0]) for x in xs], raster)
+    write_control(folder, options, probes("bottom", "alpha.water", [(x, FRONT_HEIGHT) for x in xs], raster,
+                                          extra="interpolationScheme cellPoint;")
                   + probes("column", "alpha.water", [(xs[0], y) for y in ys], raster), 0.01)
     write(folder, "system/setFieldsDict", "dictionary", f"""
 defaultFieldValues ( volScalarFieldValue alpha.water 0 );
