@@ -26,6 +26,14 @@ ONE_CORE = {**os.environ, "OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
             "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
+def digest(*files):
+    total = hashlib.sha1()
+    for name in sorted(files):
+        with open(name, "rb") as file:
+            total.update(file.read())
+    return total.hexdigest()
+
+
 class RunFailed(Exception):
     """A run that ended with an error; the message says which."""
 
@@ -67,10 +75,10 @@ class Seiche:
     def is_installed(self):
         return os.access(self.program, os.X_OK)
 
-    def identity(self):
-        """Changes with the program, as of the other codes."""
-        with open(self.program, "rb") as file:
-            return hashlib.sha1(file.read()).hexdigest()
+    def identity(self, arguments):
+        """Changes with the program and its files, as of the other codes."""
+        scene = os.path.dirname(os.path.join(ROOT, "prm", arguments[0]))
+        return digest(self.program, *glob.glob(os.path.join(scene, "*.prm")))
 
     def run(self, arguments, folder):
         run = os.path.join(folder, "run")
@@ -100,10 +108,10 @@ class OpenFoam:
     def is_installed(self):
         return shutil.which("interFoam") is not None
 
-    def identity(self):
+    def identity(self, arguments):
         import openfoam
 
-        return openfoam.version()
+        return f"{openfoam.version()} {digest(*glob.glob(os.path.join(PEERS, 'openfoam*.py')))}"
 
     def run(self, arguments, folder):
         import openfoam
@@ -118,10 +126,11 @@ class Kratos:
     def is_installed(self):
         return os.access(KRATOS_PYTHON, os.X_OK)
 
-    def identity(self):
+    def identity(self, arguments):
         packages = os.path.dirname(os.path.dirname(KRATOS_PYTHON))
-        return " ".join(sorted(map(os.path.basename, glob.glob(
-            os.path.join(packages, "lib", "*", "site-packages", "Kratos*.dist-info")))))
+        names = sorted(map(os.path.basename, glob.glob(
+            os.path.join(packages, "lib", "*", "site-packages", "Kratos*.dist-info"))))
+        return " ".join([*names, digest(os.path.join(PEERS, "kratos_mpm.py"))])
 
     def run(self, arguments, folder):
         wall, cpu = measured([KRATOS_PYTHON, os.path.join(PEERS, "kratos_mpm.py"), *arguments,

@@ -10,16 +10,26 @@ namespace seiche
 
   namespace
   {
-    /// True if neither pressure gradient nor momentum residual exceed
-    /// @p limit [N/m^dim] at any of the points.
+    /// grad p + Pi r - div s [N/m^dim]
+    template <int dim, int degree>
+    Tensor<1, dim, Lanes>
+    resisting_force(const VMSPointState<dim, degree, Lanes> &state)
+    {
+      return state.pressure_gradient + state.projected -
+             state.stress_divergence;
+    }
+
+    /// True if none of the forces that PressureTerms::add_turns() multiplies
+    /// exceeds @p limit [N/m^dim] at any of the points.
     template <int dim, int degree>
     bool
     turns_little(const VMSPointState<dim, degree, Lanes> &state,
                  const double                             limit)
     {
+      const Tensor<1, dim, Lanes> f = resisting_force(state);
       const Lanes p = state.pressure_gradient * state.pressure_gradient,
                   r = state.momentum_residual * state.momentum_residual;
-      return !std::experimental::any_of(max(p, r) > limit * limit);
+      return !std::experimental::any_of(max(max(p, r), f * f) > limit * limit);
     }
   } // namespace
 
@@ -168,9 +178,7 @@ namespace seiche
                                                 point,
                                                 n_points,
                                                 theta * fine,
-                                                state.pressure_gradient +
-                                                  state.projected -
-                                                  state.stress_divergence,
+                                                resisting_force(state),
                                                 state.pressure_gradient,
                                                 state.momentum_residual);
         if constexpr (degree > 1)

@@ -103,9 +103,15 @@ namespace seiche
         const std::string failure = try_step();
         if (failure.empty())
           {
-            if (time_stepper.is_accurate(step_error(), state.dt))
-              break;
-            continue;
+            if (!time_stepper.is_accurate(step_error(), state.dt))
+              continue;
+            if (time_stepper.is_at_least_size())
+              report.warn("the error of a step exceeds Time/Error tolerance at "
+                          "the smallest size it is cut to",
+                          fmt::format("t = {:.6g} s, {:.3g} s",
+                                      state.time,
+                                      state.dt));
+            break;
           }
         report.warn("a step was repeated with half its size",
                     fmt::format("t = {:.6g} s: {}", state.time, failure));

@@ -13,8 +13,7 @@ namespace seiche
   std::unique_ptr<Epetra_CrsMatrix>
   epetra_copy(const BlockMatrix<dim> &matrix,
               const FieldRange        rows,
-              const FieldRange        columns,
-              const double            factor)
+              const FieldRange        columns)
   {
     const NodePattern<dim> &pattern = matrix.sparsity();
     const Epetra_MpiComm    communicator(
@@ -48,7 +47,7 @@ namespace seiche
                 if (value == 0. && !(square && column == node && r == c))
                   continue;
                 indices.push_back(column * columns.n + c);
-                values.push_back(factor * value);
+                values.push_back(value);
               }
           };
           if (matrix.is_empty(node))
@@ -96,10 +95,7 @@ namespace seiche
 
 #define INSTANTIATE(dim)                                       \
   template std::unique_ptr<Epetra_CrsMatrix> epetra_copy<dim>( \
-    const BlockMatrix<dim> &,                                  \
-    const FieldRange,                                          \
-    const FieldRange,                                          \
-    const double);
+    const BlockMatrix<dim> &, const FieldRange, const FieldRange);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -24,7 +24,7 @@ namespace seiche
     /// iteration then ends as with a new one. Measured: doc/performance.md.
     constexpr double tangent_serves_below = 0.3;
 
-    /// 1 for nothing over nothing.
+    /// 1 where the denominator is zero: nothing to compare with.
     double
     ratio(const double numerator, const double denominator)
     {

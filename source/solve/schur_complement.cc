@@ -167,6 +167,28 @@ namespace seiche
   }
 
   template <int dim>
+  template <typename Function>
+  void
+  SchurComplement<dim>::for_each_scaled_entry(const unsigned int node,
+                                              const unsigned int first,
+                                              const double       scale,
+                                              const double       surface,
+                                              const Function    &f) const
+  {
+    const NodePattern<dim> &pattern  = matrix->sparsity();
+    const unsigned int      diagonal = pattern.diagonal_of(node);
+    f(pattern.column_of(diagonal),
+      (scale * matrix->diagonal(node, dim) + surface) *
+        (closed ? 1. + closed_shift : 1.));
+    if (matrix->is_empty(node))
+      return;
+    for (unsigned int k = first; k < pattern.row_begin(node + 1); ++k)
+      if (const double value = matrix->value(k, dim, dim);
+          value != 0. && k != diagonal)
+        f(pattern.column_of(k), scale * value);
+  }
+
+  template <int dim>
   DistributedRows
   SchurComplement<dim>::scaled_rows(const double               scale,
                                     const std::vector<double> &surface) const
@@ -176,21 +198,16 @@ namespace seiche
     result.first = matrix->occupancy.scalar_partitioner()->local_range().first;
     for (unsigned int node = 0; node < surface.size(); ++node)
       {
-        const unsigned int diagonal = pattern.diagonal_of(node);
-        const unsigned int before   = result.column.size();
-        result.column.push_back(pattern.global_column(node));
-        result.value.push_back(scaled_diagonal(node, scale, surface[node]));
-        if (!matrix->is_empty(node))
-          for (unsigned int k = pattern.row_begin(node);
-               k < pattern.row_begin(node + 1);
-               ++k)
-            if (const double value = matrix->value(k, dim, dim);
-                value != 0. && k != diagonal)
-              {
-                result.column.push_back(
-                  pattern.global_column(pattern.column_of(k)));
-                result.value.push_back(scale * value);
-              }
+        const std::size_t before = result.column.size();
+        for_each_scaled_entry(
+          node,
+          pattern.row_begin(node),
+          scale,
+          surface[node],
+          [&](const unsigned int column, const double value) {
+            result.column.push_back(pattern.global_column(column));
+            result.value.push_back(value);
+          });
         result.length.push_back(result.column.size() - before);
       }
     return result;
@@ -202,34 +219,21 @@ namespace seiche
     const double               scale,
     const std::vector<double> &surface) const
   {
-    const NodePattern<dim> &pattern = matrix->sparsity();
-    LowerTriangle           result;
+    LowerTriangle result;
     for (unsigned int node = 0; node < surface.size(); ++node)
       {
-        result.row.push_back(node);
-        result.value.push_back(scaled_diagonal(node, scale, surface[node]));
-        if (!matrix->is_empty(node))
-          for (unsigned int k = pattern.diagonal_of(node) + 1;
-               k < pattern.row_begin(node + 1);
-               ++k)
-            if (const double value = matrix->value(k, dim, dim); value != 0.)
-              {
-                result.row.push_back(pattern.column_of(k));
-                result.value.push_back(scale * value);
-              }
+        for_each_scaled_entry(node,
+                              matrix->sparsity().diagonal_of(node) + 1,
+                              scale,
+                              surface[node],
+                              [&](const unsigned int column,
+                                  const double       value) {
+                                result.row.push_back(column);
+                                result.value.push_back(value);
+                              });
         result.begin.push_back(result.row.size());
       }
     return result;
-  }
-
-  template <int dim>
-  double
-  SchurComplement<dim>::scaled_diagonal(const unsigned int node,
-                                        const double       scale,
-                                        const double       surface) const
-  {
-    return (scale * matrix->diagonal(node, dim) + surface) *
-           (closed ? 1. + closed_shift : 1.);
   }
 
   template <int dim>

@@ -131,12 +131,14 @@ namespace seiche
   TimeStepper::next_step(const double speed_per_cell)
   {
     const bool is_controlled = parameters.control != "fixed";
-    double     limit         = parameters.step;
+    limit                    = parameters.step;
     if (is_controlled && speed_per_cell * limit > parameters.cfl)
       limit = parameters.cfl / speed_per_cell;
     dt = std::max(reduction * limit, smallest_step());
     if (parameters.controls_error())
       {
+        if (reduction < 1.) // of a step that was smaller than the limit
+          dt = std::min(dt, std::max(largest_after_failure, smallest_step()));
         least_accurate =
           std::min(std::max(least_share * limit, smallest_step()), dt);
         dt = std::clamp(wanted_dt > 0. ? wanted_dt : first_share * limit,
@@ -146,7 +148,7 @@ namespace seiche
     const double rest = parameters.end_time - now;
     if (rest <= stretch * dt)
       dt = rest;
-    else if (is_controlled && rest < 2. * dt)
+    else if ((is_controlled || reduction < 1.) && rest < 2. * dt)
       dt = 0.5 * rest; // no tiny last step
     first_tried = dt;
     return dt;
@@ -157,8 +159,10 @@ namespace seiche
   {
     ++n_rejected;
     good_steps = 0;
-    reduction  = std::max(0.5 * reduction, smallest_step() / parameters.step);
+    reduction =
+      std::max(0.5 * reduction, std::min(1., smallest_step() / limit));
     dt *= 0.5;
+    largest_after_failure = dt;
     if (dt < 0.5 * std::min(smallest_step(), first_tried)) // a short last one
       throw NumericalError(fmt::format(
         "step {}, t = {:.6g} s: {}, also at the smallest step {:.3g} s. "
@@ -185,8 +189,10 @@ namespace seiche
     const double factor =
       std::min(largest_growth,
                std::max(largest_cut, safety * std::sqrt(allowed / error)));
-    const bool stays = error <= repeat_above * allowed || dt <= least_accurate;
-    wanted_dt        = std::max(factor * dt, least_accurate);
+    const bool is_small = error <= repeat_above * allowed;
+    at_least_size       = !is_small && dt <= least_accurate;
+    const bool stays    = is_small || at_least_size;
+    wanted_dt           = std::max(factor * dt, least_accurate);
     if (stays)
       step_error = error;
     else
@@ -209,6 +215,7 @@ namespace seiche
       {
         good_steps = 0;
         reduction  = std::min(1., growth * reduction);
+        largest_after_failure *= growth;
       }
   }
 
@@ -220,6 +227,7 @@ namespace seiche
     archive("wanted step", wanted_dt);
     archive("error", error_sum);
     archive("reduction", reduction);
+    archive("largest step after a failure", largest_after_failure);
     archive("good steps", good_steps);
     archive("steps", n_steps);
     archive("rejected steps", n_rejected);

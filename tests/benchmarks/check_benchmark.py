@@ -39,7 +39,7 @@ class Stub:
     def is_installed(self):
         return True
 
-    def identity(self):
+    def identity(self, arguments):
         return self.program
 
     def run(self, arguments, folder):
@@ -93,6 +93,8 @@ def check_rerun(bench):
     bench("--repeat", "2")
     assert bench.code.runs == 11, "a second round of all but the reference"
     assert "| 2 |" in rows(bench("--table-only")[1])[1], "the table knows one round only"
+    bench.code.program = "third"
+    assert "| 1 |" in rows(bench()[1])[1], "a table of two programs"
 
 
 def check_failures(bench):

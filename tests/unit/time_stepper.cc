@@ -63,6 +63,29 @@ namespace
               << ", repeated " << stepper.rejected() << '\n';
   }
 
+  /// At the least size that the error allows a step fails at all sizes above
+  /// half of it: it must not try them in every step.
+  void
+  test_failures_at_least_size()
+  {
+    TimeStepper  stepper(make_parameters("error"));
+    unsigned int failures = 0;
+    for (unsigned int step = 0; step < 20; ++step)
+      {
+        double dt = stepper.next_step(/*speed_per_cell=*/0.1);
+        do
+          while (step > 8 && dt > 0.011)
+            {
+              dt = stepper.repeat("as a test");
+              ++failures;
+            }
+        while (!stepper.is_accurate(/*error=*/1., dt));
+        stepper.accept();
+      }
+    std::cout << "failures at the least size: " << failures << ", last step "
+              << stepper.previous_step() << '\n';
+  }
+
   /// Failures until it gives up, in the first step to @p end_time.
   void
   test_give_up(const std::string &control, const double end_time)
@@ -97,6 +120,7 @@ main()
   test_noise(0., 100.);
   test_noise(0., 1000.);
   test_noise(0.1, 0.1);
+  test_failures_at_least_size();
   for (const char *control : {"fixed", "CFL", "error"})
     for (const double end_time : {100., 1e-5})
       test_give_up(control, end_time);

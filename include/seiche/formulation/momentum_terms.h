@@ -160,7 +160,8 @@ namespace seiche
         }
     }
 
-    /// Add rate_k w_i,k du... : uu_ik += rate_k g_i.
+    /// The transposed gradient's part of the viscous stress: uu_ik[a][b] +=
+    /// rate_k[a] g_i[b].
     static void
     add_transposed(CellData<dim, degree> &cell,
                    const Kinematics      &point,

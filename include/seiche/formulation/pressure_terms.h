@@ -19,7 +19,7 @@ namespace seiche
 
     /// Terms between displacement and pressure that are products of two
     /// vectors: up += force grad w q, pu += weight q h + grad q inertia;
-    /// @p weight [m^dim], @p force [m^dim], @p h [1/m], @p inertia [m^(dim-1)].
+    /// @p weight [m^dim], @p force [m^dim], @p h [1/m], @p inertia [m^dim].
     static void
     add_couplings(CellData<dim, degree> &cell,
                   const Kinematics      &point,
@@ -60,8 +60,8 @@ namespace seiche
         }
     }
 
-    /// pp += compliance q p + fine grad q.grad p: [m^(2 dim)/N], [m^(dim+2)
-    /// m^dim/N].
+    /// pp += compliance q p + fine grad q.grad p; @p compliance V/kappa
+    /// [m^dim/Pa], @p fine V_t tau1 [m^(dim+2)/Pa].
     static void
     add_diagonal(CellData<dim, degree> &cell,
                  const Kinematics      &point,
@@ -87,7 +87,8 @@ namespace seiche
     /// The gradients of the subscale's term, V_t tau1 grad q.r, and of p in it
     /// turn with the fluid:
     /// pu += weight {(grad q.f) div du + grad q.(grad du) r - p'.(grad du)^T
-    /// grad q}, @p f = grad p + Pi r - div s, @p p' the pressure's gradient.
+    /// grad q}, p' = grad p, f = grad p + Pi r - div s [N/m^dim]; @p weight
+    /// theta V_t tau1 [m^(dim+2)/Pa].
     static void
     add_turns(CellData<dim, degree>               &cell,
               const Kinematics                    &point,

@@ -8,6 +8,8 @@
 
 #include <deal.II/lac/trilinos_precondition.h>
 
+#include <Epetra_CrsMatrix.h>
+
 #include <memory>
 
 namespace seiche

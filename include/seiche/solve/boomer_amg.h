@@ -4,10 +4,12 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
-#include <HYPRE_IJ_mv.h>
-#include <HYPRE_parcsr_ls.h>
-
 #include <vector>
+
+// of HYPRE, whose headers only boomer_amg.cc needs
+struct hypre_Solver_struct;
+struct hypre_IJMatrix_struct;
+struct hypre_IJVector_struct;
 
 namespace seiche
 {
@@ -36,15 +38,10 @@ namespace seiche
     BoomerAMG &
     operator=(const BoomerAMG &) = delete;
 
-    /// Build the hierarchy. Collective.
+    /// Build the hierarchy; a rank may have no rows. Collective.
     void
     initialize(const DistributedRows &rows, const MPI_Comm communicator);
 
-    bool
-    is_empty() const
-    {
-      return solver == nullptr;
-    }
     void
     clear();
 
@@ -53,10 +50,11 @@ namespace seiche
     vmult(Vector &dst, const Vector &src) const;
 
   private:
-    HYPRE_Solver   solver          = nullptr;
-    HYPRE_IJMatrix matrix          = nullptr;
-    HYPRE_IJVector right_hand_side = nullptr, solution = nullptr;
-    int            n_rows = 0;
+    hypre_Solver_struct   *solver          = nullptr;
+    hypre_IJMatrix_struct *matrix          = nullptr;
+    hypre_IJVector_struct *right_hand_side = nullptr;
+    hypre_IJVector_struct *solution        = nullptr;
+    unsigned int           n_rows          = 0;
   };
 } // namespace seiche
 

@@ -16,15 +16,14 @@ namespace seiche
     unsigned int first, n;
   };
 
-  /// Part of the matrix for Trilinos' solvers, times a factor; row and column
-  /// n*node + field. Zeros other than on the diagonal are left out, so that
-  /// nodes away from the fluid cost nothing. Collective.
+  /// Part of the matrix for Trilinos' solvers; row and column n*node + field.
+  /// Zeros other than on the diagonal are left out, so that nodes away from the
+  /// fluid cost nothing. Collective.
   template <int dim>
   std::unique_ptr<Epetra_CrsMatrix>
   epetra_copy(const BlockMatrix<dim> &matrix,
               const FieldRange        rows,
-              const FieldRange        columns,
-              const double            factor = 1.);
+              const FieldRange        columns);
 
   /// Diagonal entry of an own row of a square block. (Epetra keeps own columns
   /// first and in the order of the rows, so that both have one local index; its

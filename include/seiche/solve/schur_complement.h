@@ -6,8 +6,6 @@
 #include <seiche/solve/boomer_amg.h>
 #include <seiche/solve/cholesky_factors.h>
 
-#include <Epetra_CrsMatrix.h>
-
 namespace seiche
 {
   /**
@@ -75,11 +73,15 @@ namespace seiche
     LowerTriangle
     scaled_triangle(const double               scale,
                     const std::vector<double> &surface) const;
-    /// Their diagonals.
-    double
-    scaled_diagonal(const unsigned int node,
-                    const double       scale,
-                    const double       surface) const;
+    /// f(column, value) for the diagonal of an own node's row of either, then
+    /// for the others from the entry @p first on.
+    template <typename Function>
+    void
+    for_each_scaled_entry(const unsigned int node,
+                          const unsigned int first,
+                          const double       scale,
+                          const double       surface,
+                          const Function    &f) const;
 
     const BlockMatrix<dim> *matrix     = nullptr;
     bool                    closed     = false;

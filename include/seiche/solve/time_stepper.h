@@ -69,6 +69,13 @@ namespace seiche
     bool
     is_accurate(const double error, double &step_size);
 
+    /// True if the last step stayed because the error may not cut it further.
+    bool
+    is_at_least_size() const
+    {
+      return at_least_size;
+    }
+
     /// The step of next_step(), repeat() or is_accurate() is done.
     void
     accept();
@@ -123,13 +130,17 @@ namespace seiche
     double                   first_tried = 0.; ///< [s] before it was repeated
     double                   previous_dt = 0.; ///< [s] of the step before
     double                   wanted_dt = 0.; ///< [s] by the error; 0: none yet
-    double least_accurate   = 0.; ///< [s] the error cuts a step to this at most
-    double step_error       = 0.; ///< [cells] of the step
-    double error_sum        = 0.; ///< [cells] of the steps before
-    double reduction        = 1.; ///< after failures
-    unsigned int good_steps = 0;  ///< since the last failure
-    unsigned int n_steps    = 0;
-    unsigned int n_rejected = 0;
+    double least_accurate = 0.; ///< [s] the error cuts a step to this at most
+    double step_error     = 0.; ///< [cells] of the step
+    double error_sum      = 0.; ///< [cells] of the steps before
+    double reduction      = 1.; ///< of limit, after failures
+    double limit          = 0.; ///< [s] by Step and CFL number
+    /// [s] of steps that the error controls, while reduction < 1
+    double       largest_after_failure = 0.;
+    bool         at_least_size         = false; ///< is_at_least_size()
+    unsigned int good_steps            = 0;     ///< since the last failure
+    unsigned int n_steps               = 0;
+    unsigned int n_rejected            = 0;
   };
 } // namespace seiche
 
