@@ -14,7 +14,7 @@ namespace seiche
     /// Symmetric ones with fewer rows are factorised on a single rank:
     /// measured on dam_break_2d and column_collapse_3d (doc/performance.md).
     template <int dim>
-    constexpr types::global_dof_index cholesky_below = dim == 2 ? 3000 : 500;
+    constexpr types::global_dof_index cholesky_below = dim == 2 ? 8000 : 500;
 
     /// Least volume of a node [(smallest edge/degree)^dim] for the viscous
     /// part of S^-1, which divides by it: a point on a grid line gives nodes
