@@ -281,7 +281,7 @@ namespace seiche
   RunReport::finish(const nlohmann::ordered_json &summary,
                     const TimerTree              &timer)
   {
-    const nlohmann::ordered_json complete =
+    nlohmann::ordered_json complete =
       complete_summary(summary, timer, communicator);
     if (!speaks)
       return;
@@ -289,8 +289,12 @@ namespace seiche
     if (options.test_mode)
       test_summary(complete);
     for (const auto &[text, count] : warnings)
-      if (count > 1)
-        print(fmt::format("warning: {} times: {}", count, text));
+      {
+        complete["warnings"].push_back(
+          count > 1 ? fmt::format("{} times: {}", count, text) : text);
+        if (count > 1)
+          print(fmt::format("warning: {} times: {}", count, text));
+      }
 
     const std::string times = timer.report();
     header("\n" + times);

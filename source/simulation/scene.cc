@@ -41,7 +41,9 @@ namespace seiche
     prm.add_parameter("Relaxation time",
                       volume_relaxation_time,
                       "Time in which volume errors of the points are removed; "
-                      "0: within each step, which costs pressure noise [s]",
+                      "0: within each step, which costs pressure noise, and in "
+                      "steps far below those of the CFL number energy: set 0.5 "
+                      "there [s]",
                       Patterns::Double(0.));
     prm.add_parameter(
       "Update",

@@ -40,6 +40,8 @@ namespace
         stepper.is_accurate(/*error=*/1e-6, same);
         stepper.accept();
         std::cout << ' ' << dt;
+        if (dt != 1.)
+          std::cout << " (share " << stepper.share() << ')';
       }
     std::cout << '\n';
   }

@@ -2,6 +2,7 @@
 #ifndef seiche_solve_time_stepper_h
 #define seiche_solve_time_stepper_h
 
+#include <algorithm>
 #include <string>
 
 namespace dealii
@@ -101,11 +102,14 @@ namespace seiche
     {
       return error_sum;
     }
-    /// Of the step's size after failures: 1, or the share that is tried.
+    /// Share of the points' volume error that the step recovers without a
+    /// relaxation time: 1, after failures the share of the size that is tried;
+    /// with a controlled error the step's share of the size that Step and CFL
+    /// number allow, or recovery would drive ever smaller steps ever faster.
     double
     share() const
     {
-      return reduction;
+      return parameters.controls_error() ? std::min(1., dt / limit) : reduction;
     }
     bool
     finished() const;
