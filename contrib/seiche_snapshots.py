@@ -163,7 +163,7 @@ def snapshots_2d(run, scene, path):
         scatter(axes, frame, limits, (0, 1))
         if scene and hasattr(scene, "overlay_snapshot"):
             scene.overlay_snapshot(axes, frame.time)
-    figure.savefig(path, dpi=120)
+    figure.savefig(path, dpi=120, bbox_inches="tight")  # else labels on the left are cut off
     return True
 
 
