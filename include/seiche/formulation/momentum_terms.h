@@ -160,6 +160,27 @@ namespace seiche
         }
     }
 
+    /// uu_ik[a][b] += term(i, k, q, a)[b], of all points.
+    template <typename Term>
+    static void
+    add_products(CellData<dim, degree> &cell,
+                 const unsigned int     n_points,
+                 const Term            &term)
+    {
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            Row<n_nodes> sums[n_nodes];
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              sums[a] = load_row(cell.uu[i][k][a]);
+            for (unsigned int q = 0; q < n_points; ++q)
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                sums[a] += term(i, k, q, a);
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              store_row(sums[a], cell.uu[i][k][a]);
+          }
+    }
+
     /// The transposed gradient's part of the viscous stress: uu_ik[a][b] +=
     /// rate_k[a] g_i[b].
     static void
@@ -169,18 +190,14 @@ namespace seiche
                    const Lanes (&rate)[dim][n_nodes])
     {
       const auto g = rows_of<dim>(point.gradient_t), rows = rows_of<dim>(rate);
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int k = 0; k < dim; ++k)
-          {
-            Row<n_nodes> sums[n_nodes];
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              sums[a] = load_row(cell.uu[i][k][a]);
-            for (unsigned int q = 0; q < n_points; ++q)
-              for (unsigned int a = 0; a < n_nodes; ++a)
-                sums[a] += rows[k].values[q][a] * g[i].row(q);
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              store_row(sums[a], cell.uu[i][k][a]);
-          }
+      add_products(cell,
+                   n_points,
+                   [&](const unsigned int i,
+                       const unsigned int k,
+                       const unsigned int q,
+                       const unsigned int a) -> Row<n_nodes> {
+                     return rows[k].values[q][a] * g[i].row(q);
+                   });
     }
 
     /// Add weight {(div_t du) s:grad_t w - s:(grad_t w grad_t du)}.
@@ -203,21 +220,15 @@ namespace seiche
             sg[i][a] = weight * force;
           }
       const auto g_rows = rows_of<dim>(g), sg_rows = rows_of<dim>(sg);
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int k = 0; k < dim; ++k)
-          {
-            Row<n_nodes> sums[n_nodes];
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              sums[a] = load_row(cell.uu[i][k][a]);
-            for (unsigned int q = 0; q < n_points; ++q)
-              for (unsigned int a = 0; a < n_nodes; ++a)
-                {
-                  sums[a] += sg_rows[i].values[q][a] * g_rows[k].row(q);
-                  sums[a] -= g_rows[k].values[q][a] * sg_rows[i].row(q);
-                }
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              store_row(sums[a], cell.uu[i][k][a]);
-          }
+      add_products(cell,
+                   n_points,
+                   [&](const unsigned int i,
+                       const unsigned int k,
+                       const unsigned int q,
+                       const unsigned int a) -> Row<n_nodes> {
+                     return sg_rows[i].values[q][a] * g_rows[k].row(q) -
+                            g_rows[k].values[q][a] * sg_rows[i].row(q);
+                   });
     }
 
     /// Add c_ik grad_t w_i.grad_t du_k.
