@@ -52,19 +52,44 @@ namespace seiche
                       "End of the fluid: the one of the largest or of the "
                       "smallest coordinate.",
                       Patterns::Selection("upper|lower"));
+    prm.add_parameter("Least height",
+                      least_height,
+                      "Only fluid from this height above the bottom of the "
+                      "domain on counts; 0: all. [m]",
+                      Patterns::Double(0.));
   }
 
   template <int dim>
   void
-  FrontParameters<dim>::check(const InputFile &,
-                              const BackgroundGrid<dim> &) const
-  {}
+  FrontParameters<dim>::check(const InputFile           &input,
+                              const BackgroundGrid<dim> &grid) const
+  {
+    const GridParameters<dim> &box = grid.parameters;
+    input.require(least_height <=
+                    box.upper_corner[dim - 1] - box.lower_corner[dim - 1],
+                  std::string(kind) + " " + name + "/Least height",
+                  "no fluid can be higher than the domain.");
+  }
 
   template <int dim>
   std::vector<std::string>
   FrontParameters<dim>::columns() const
   {
     return {"front " + name + " [m]"};
+  }
+
+  template <int dim>
+  unsigned int
+  FrontParameters<dim>::axis() const
+  {
+    return direction[0] - 'x';
+  }
+
+  template <int dim>
+  double
+  FrontParameters<dim>::sign() const
+  {
+    return sense == "upper" ? 1. : -1.;
   }
 
   template <int dim>
@@ -108,8 +133,10 @@ namespace seiche
 
   template <int dim>
   FrontPosition<dim>::FrontPosition(
-    const std::vector<FrontParameters<dim>> &parameters)
+    const std::vector<FrontParameters<dim>> &parameters,
+    const BackgroundGrid<dim>               &grid)
     : fronts(parameters)
+    , box(grid.parameters)
   {}
 
   template <int dim>
@@ -117,23 +144,27 @@ namespace seiche
   FrontPosition<dim>::execute(const StepView<dim> &view,
                               StatisticsTable     &statistics)
   {
+    const double *height = view.points.data(PointColumn::position, dim - 1);
     std::vector<double> extreme(fronts.size(), lowest);
     for (unsigned int f = 0; f < fronts.size(); ++f)
       {
         const double *x =
-          view.points.data(PointColumn::position, fronts[f].direction[0] - 'x');
-        const double sign = fronts[f].sense == "upper" ? 1. : -1.;
+          view.points.data(PointColumn::position, fronts[f].axis());
+        const double least = box.lower_corner[dim - 1] + fronts[f].least_height;
         for (std::size_t i = 0; i < view.points.size(); ++i)
-          extreme[f] = std::max(extreme[f], sign * x[i]);
+          if (height[i] >= least)
+            extreme[f] = std::max(extreme[f], fronts[f].sign() * x[i]);
       }
     maximum_over_ranks(extreme, view.points.communicator);
     for (unsigned int f = 0; f < fronts.size(); ++f)
       {
-        const double sign = fronts[f].sense == "upper" ? 1. : -1.;
-        statistics.set(fronts[f].columns()[0],
+        const FrontParameters<dim> &front = fronts[f];
+        const Point<dim>           &start =
+          front.sign() > 0. ? box.lower_corner : box.upper_corner;
+        statistics.set(front.columns()[0],
                        extreme[f] == lowest ?
-                         std::numeric_limits<double>::quiet_NaN() :
-                         sign * (extreme[f] + view.half_spacing));
+                         start[front.axis()] :
+                         front.sign() * (extreme[f] + view.half_spacing));
       }
   }
 

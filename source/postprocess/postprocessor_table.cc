@@ -218,7 +218,8 @@ namespace seiche
 
     // THE table of postprocessors: one line a kind
     if (!all.fronts.empty())
-      all.list.push_back(std::make_unique<FrontPosition<dim>>(all.fronts));
+      all.list.push_back(
+        std::make_unique<FrontPosition<dim>>(all.fronts, grid));
     if (!all.gauges.empty())
       all.list.push_back(std::make_unique<WaterLevel<dim>>(all.gauges, grid));
     if (!all.probes.empty())

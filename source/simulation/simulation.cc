@@ -94,6 +94,7 @@ namespace seiche
     if (!material_is_found)
       find_material();
     state.time = time_stepper.time();
+    effort     = {};
     {
       const TimerTree::Scope scope_size(timer, "step size");
       state.dt = time_stepper.next_step(speed_per_cell());
@@ -126,8 +127,8 @@ namespace seiche
     }
     time_stepper.accept();
     material_is_found = points_are_controlled = false;
-    newton_total += step_solver.effort().iterations;
-    krylov_total += step_solver.effort().krylov_iterations;
+    newton_total += effort.newton;
+    krylov_total += effort.krylov;
     return true;
   }
 
@@ -188,6 +189,8 @@ namespace seiche
     // a smaller step after a failure must ask for less, or it fails as well
     const std::string problem =
       step_solver.solve(state, projects, time_stepper.share());
+    effort.newton += step_solver.effort().iterations;
+    effort.krylov += step_solver.effort().krylov_iterations;
     if (!problem.empty())
       return problem;
     const TimerTree::Scope scope(timer, "acceptance");

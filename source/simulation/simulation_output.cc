@@ -31,7 +31,6 @@ namespace seiche
     const unsigned int     step = time_stepper.steps();
     const double           time = time_stepper.time();
     const double           dt   = step == 0 ? 0. : state.dt;
-    const NewtonResult    &last = step_solver.effort();
     const double theta = step == 0 ? 0. : step_solver.coefficients().theta;
     // points that carry the pressure have that of the end of the step
     const bool          at_end = !state.has_pressure();
@@ -52,14 +51,14 @@ namespace seiche
                        at_end ? 1. : theta,
                        seeding.half_spacing,
                        occupancy.smallest_extent(),
-                       last.iterations,
-                       last.krylov_iterations};
+                       effort.newton,
+                       effort.krylov};
     std::vector<double> values = {static_cast<double>(step),
                                   time,
                                   dt,
                                   view.pressure_time,
-                                  static_cast<double>(last.iterations),
-                                  static_cast<double>(last.krylov_iterations),
+                                  static_cast<double>(effort.newton),
+                                  static_cast<double>(effort.krylov),
                                   static_cast<double>(
                                     occupancy.n_global_occupied_cells())};
     if (scene.time.controls_error())
@@ -75,8 +74,8 @@ namespace seiche
     if (step > 0)
       report.progress(time,
                       dt,
-                      last.iterations,
-                      last.krylov_iterations,
+                      effort.newton,
+                      effort.krylov,
                       scene.postprocessors.relative_energy());
   }
 

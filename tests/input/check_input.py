@@ -337,6 +337,9 @@ GEOMETRY = [
          "= 0.4, 0.3\nend\nsubsection Fluid body again\n"
          "  set Lower corner = 0, 0\n  set Upper corner = 0.1, 0.1",
          line=None, expect=["scene.prm:", '"Fluid body again"']),
+    Case("front above the domain",
+         **added("subsection Front f\n  set Least height = 99\nend\n"),
+         line=LAST + 2, expect=['"Least height" in "Front f"', "domain"]),
     Case("probe outside",
          **added("subsection Probe p\n  set Position = 5, 0\nend\n"),
          line=LAST + 2, expect=['"Position" in "Probe p"']),

@@ -23,8 +23,9 @@ namespace seiche
     static constexpr const char *kind = "Front";
 
     std::string name;
-    std::string direction = "x";
-    std::string sense     = "upper";
+    std::string direction    = "x";
+    std::string sense        = "upper";
+    double      least_height = 0.; ///< [m] above the bottom of the domain
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -32,6 +33,12 @@ namespace seiche
     check(const InputFile &input, const BackgroundGrid<dim> &grid) const;
     std::vector<std::string>
     columns() const;
+
+    /// Number of the direction, and 1 or -1 for the sense.
+    unsigned int
+    axis() const;
+    double
+    sign() const;
   };
 
   /// prm entries of "Gauge NAME".
@@ -54,19 +61,25 @@ namespace seiche
 
   /**
    * @brief How far the fluid reaches in a direction: the extreme coordinate
-   * of the points, and half their initial spacing beyond it.
+   * of the points from a height on, and half their initial spacing beyond it.
+   *
+   * Where there is no point, the side of the domain that the front moves from.
+   * Vertical is the last direction.
    */
   template <int dim>
   class FrontPosition : public Postprocessor<dim>
   {
   public:
-    explicit FrontPosition(const std::vector<FrontParameters<dim>> &parameters);
+    /// @p grid must outlive the object.
+    FrontPosition(const std::vector<FrontParameters<dim>> &parameters,
+                  const BackgroundGrid<dim>               &grid);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 
   private:
     const std::vector<FrontParameters<dim>> fronts;
+    const GridParameters<dim>              &box;
   };
 
   /**

@@ -142,6 +142,13 @@ namespace seiche
     bool material_is_found     = false; ///< where the points are now
     bool points_are_controlled = false; ///< PointControl has seen to them
 
+    /// Iterations of a step, all tries.
+    struct Effort
+    {
+      unsigned int newton = 0, krylov = 0;
+    };
+    Effort effort; ///< of the last step
+
     std::uint64_t newton_total = 0, krylov_total = 0;
     std::uint64_t occupied_max = 0, unknowns_max = 0;
   };

@@ -38,8 +38,9 @@ namespace seiche
    * the forces (volumes) at work. Forcing terms: Eisenstat and Walker 1996,
    * choice 2, not below what the convergence test can use. The tangent serves
    * the next iteration as well if the problem proved nearly linear. Updates
-   * that make the residual grow are shortened. The set of nodes that unilateral
-   * walls hold is corrected after each of them.
+   * that make the residual grow are shortened; two in a row that hardly reduce
+   * it end the iteration, the step is then halved. The set of nodes that
+   * unilateral walls hold is corrected after each of them.
    */
   template <int dim>
   class Newton
@@ -89,7 +90,8 @@ namespace seiche
     std::string
     reason_to_stop(const Norms       &now,
                    const Norms       &first,
-                   const unsigned int iterations) const;
+                   const unsigned int iterations,
+                   const unsigned int slow_in_row) const;
 
     const NewtonParameters   parameters;
     const double             largest_forcing;
@@ -100,6 +102,7 @@ namespace seiche
     WallContact<dim>        &contact;
     BlockVector              residual, update;
     BlockVector              model_error; ///< of the linear model, last update
+    unsigned int             new_tangents = 0; ///< steps until one is reused
   };
 } // namespace seiche
 
