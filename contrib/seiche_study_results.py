@@ -11,7 +11,7 @@ import re
 COLUMN = re.compile(r"^(first|last|min|max|mean)\((.+)\)$|^at\((.+),\s*([^,]+)\)$")
 # What the message of a numerical failure is about.
 CAUSES = (
-    ("Newton stopped", "Newton"),
+    ("Newton (stopped|hardly converged)", "Newton"),
     ("linear solver", "linear solver"),
     ("velocity projection", "velocity projection"),
     ("consistent start", "consistent start"),

@@ -117,7 +117,7 @@ H_DAM = {
     "0.05": [], "0.025": ["Grid/Cells x = 48, 80", "Grid/Cells y = 24, 96"],
     "0.0125": ["Grid/Cells x = 96, 160", "Grid/Cells y = 48, 192"],
 }
-# The front at the height at which that of interFoam is taken (peers/openfoam.py).
+# The front from the height on at which that of interFoam is taken (peers/openfoam.py).
 FRONT = ["Front surge/Least height = 0.025"]
 # As Kratos: displacements alone, Newmark, the points as quadrature, one step size.
 LIKE_KRATOS = [
@@ -151,7 +151,7 @@ def dam_break():
         runs.append(Run(f"interIsoFoam h {h} Co 1", "openfoam",
                         ["dam_break", "--h", h, "--co", "1", *iso], reference))
     return Case("Dam break in two dimensions to 2.5 s; errors against each code's own run with "
-                "h 0.0125 m and a Courant number of 0.25, front to 0.5 s and height at the left wall to 0.6 s, "
+                "h 0.0125 m and a Courant number of 0.25, front at y = 0.025 m to 0.5 s and height at the left wall to 0.6 s, "
                 "rms over the column's height of 0.6 m", runs,
                 {"front": rms_difference("front", 0, 0.5, 0.6),
                  "height": rms_difference("height", 0, 0.6, 0.6)})

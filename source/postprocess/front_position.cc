@@ -54,8 +54,8 @@ namespace seiche
                       Patterns::Selection("upper|lower"));
     prm.add_parameter("Least height",
                       least_height,
-                      "Only fluid from this height above the bottom of the "
-                      "domain on counts; 0: all. [m]",
+                      "Only fluid from this height on counts, above the "
+                      "bottom of the domain at the start; 0: all. [m]",
                       Patterns::Double(0.));
   }
 
@@ -150,10 +150,14 @@ namespace seiche
       {
         const double *x =
           view.points.data(PointColumn::position, fronts[f].axis());
-        const double least = box.lower_corner[dim - 1] + fronts[f].least_height;
+        const double sign  = fronts[f].sign();
+        const double least = // a bottom that moves may sink below its start
+          fronts[f].least_height > 0. ?
+            box.lower_corner[dim - 1] + fronts[f].least_height :
+            lowest;
         for (std::size_t i = 0; i < view.points.size(); ++i)
           if (height[i] >= least)
-            extreme[f] = std::max(extreme[f], fronts[f].sign() * x[i]);
+            extreme[f] = std::max(extreme[f], sign * x[i]);
       }
     maximum_over_ranks(extreme, view.points.communicator);
     for (unsigned int f = 0; f < fronts.size(); ++f)

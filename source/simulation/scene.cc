@@ -99,7 +99,7 @@ namespace seiche
     input_file.require(
       time_scheme.elastic_pressure == "end" ||
         (time_scheme.scheme == "generalized midpoint" &&
-         std::isfinite(fluid.bulk_modulus)),
+         !fluid.is_incompressible()),
       "Time/Elastic pressure",
       "middle needs Scheme = generalized midpoint and a finite Fluid/Bulk "
       "modulus: an incompressible fluid has no sound; set it to end");
@@ -112,13 +112,12 @@ namespace seiche
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "
                        "its Shape");
-    input_file.require(formulation.is_mixed() ||
-                         std::isfinite(fluid.bulk_modulus),
+    input_file.require(formulation.is_mixed() || !fluid.is_incompressible(),
                        "Fluid/Bulk modulus",
                        "the irreducible form needs a finite one [Pa], about "
                        "density * (10 * largest speed)^2; or set "
                        "Formulation/Name = displacement-pressure");
-    input_file.require(std::isinf(fluid.bulk_modulus) ||
+    input_file.require(fluid.is_incompressible() ||
                          volume_relaxation_time == 0.,
                        "Volume/Relaxation time",
                        "a finite Bulk modulus needs the whole volume error: "
@@ -138,7 +137,7 @@ namespace seiche
   {
     return volume_update == "nodal mean" ||
            (volume_update == "automatic" &&
-            (std::isinf(fluid.bulk_modulus) || formulation.degree == 2));
+            (fluid.is_incompressible() || formulation.degree == 2));
   }
 
   template <int dim>

@@ -25,7 +25,7 @@ namespace seiche
     , grid(scene.grid, communicator)
     , locator(grid)
     , time_scheme(make_time_scheme<dim>(scene.time_scheme,
-                                        std::isinf(scene.fluid.bulk_modulus)))
+                                        scene.fluid.is_incompressible()))
     , formulation(make_formulation<dim>(scene.formulation, scene.material()))
     , points(locator, point_columns(), communicator)
     , seeding(fill_points(start))
@@ -127,8 +127,6 @@ namespace seiche
     }
     time_stepper.accept();
     material_is_found = points_are_controlled = false;
-    newton_total += effort.newton;
-    krylov_total += effort.krylov;
     return true;
   }
 
@@ -189,8 +187,11 @@ namespace seiche
     // a smaller step after a failure must ask for less, or it fails as well
     const std::string problem =
       step_solver.solve(state, projects, time_stepper.share());
-    effort.newton += step_solver.effort().iterations;
-    effort.krylov += step_solver.effort().krylov_iterations;
+    const NewtonResult &result = step_solver.effort();
+    effort.newton += result.iterations;
+    effort.krylov += result.krylov_iterations;
+    newton_total += result.iterations;
+    krylov_total += result.krylov_iterations;
     if (!problem.empty())
       return problem;
     const TimerTree::Scope scope(timer, "acceptance");

@@ -37,7 +37,7 @@ namespace seiche
     , report(run_report)
     , timer(run_timer)
     , has_pressure(formulation.has_pressure())
-    , is_incompressible(has_pressure && std::isinf(scene.fluid.bulk_modulus))
+    , is_incompressible(has_pressure && scene.fluid.is_incompressible())
     , quadrature(make_quadrature(scene.quadrature,
                                  points,
                                  fill,

@@ -90,7 +90,7 @@ namespace seiche
   Assembler<dim>::is_closed() const
   {
     return formulation.has_pressure() &&
-           std::isinf(formulation.material.bulk_modulus) &&
+           formulation.material.is_incompressible() &&
            !occupancy.has_free_surface();
   }
 
@@ -261,7 +261,7 @@ namespace seiche
     // Gauss points of an incompressible fluid have no volume to recover
     return formulation.has_pressure() && step.theta == 0. && !step.viscous &&
            (step.volume_recovery == 0. ||
-            std::isinf(formulation.material.bulk_modulus)) &&
+            formulation.material.is_incompressible()) &&
            tau_is_uniform &&
            std::all_of(u.begin(), u.end(), [](const double value) {
              return value == 0.;

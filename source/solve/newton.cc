@@ -26,13 +26,17 @@ namespace seiche
     constexpr double tangent_serves_below = 0.1;
 
     /// Where that was wrong all the same (a few nodes in spray), new tangents
-    /// for so many steps.
-    constexpr unsigned int steps_after_miss = 8;
+    /// for so many tries of steps.
+    constexpr unsigned int tries_after_miss = 8;
 
-    /// Two updates in a row that leave more than this of the residual will not
-    /// end soon: half the step then costs less. Measured: doc/performance.md.
-    constexpr double       slow_reduction = 0.5;
-    constexpr unsigned int most_slow      = 2;
+    /// Two updates in a row, of new tangents, that leave more than this of the
+    /// residual will not end soon: half the step then costs less. Measured:
+    /// doc/performance.md.
+    constexpr double       slow_reduction    = 0.5;
+    constexpr unsigned int most_slow_updates = 2;
+
+    /// Of the reduction still needed, what a linear solve is asked for.
+    constexpr double forcing_share = 0.5;
 
     /// 1 where the denominator is zero: nothing to compare with.
     double
@@ -58,7 +62,8 @@ namespace seiche
     prm.add_parameter("Newton maximum iterations",
                       maximum_iterations,
                       "Iterations after which a step is repeated with half "
-                      "its size",
+                      "its size, as it is earlier where two updates in a row "
+                      "leave more than half of the residual",
                       Patterns::Integer(1));
     prm.leave_subsection();
   }
@@ -135,20 +140,13 @@ namespace seiche
   }
 
   template <int dim>
-  bool
-  Newton<dim>::tangent_serves(const double needed, const double before) const
-  {
-    return solver.norm(model_error) < tangent_serves_below * needed * before;
-  }
-
-  template <int dim>
   std::string
   Newton<dim>::reason_to_stop(const Norms       &now,
                               const Norms       &first,
                               const unsigned int iterations,
-                              const unsigned int slow_in_row) const
+                              const Progress    &progress) const
   {
-    const bool is_slow = slow_in_row >= most_slow;
+    const bool is_slow = progress.slow_in_row >= most_slow_updates;
     if (iterations < parameters.maximum_iterations && !is_slow &&
         std::isfinite(now.momentum + now.volume))
       return "";
@@ -159,6 +157,26 @@ namespace seiche
       iterations,
       ratio(now.momentum, first.momentum),
       ratio(now.volume, first.volume));
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::plan_next(Progress    &progress,
+                         const double reduction,
+                         const double needed,
+                         const double before) const
+  {
+    // what an old tangent leaves says little about a new one
+    const bool is_slow   = reduction > slow_reduction && !progress.reused;
+    progress.slow_in_row = is_slow ? progress.slow_in_row + 1 : 0;
+    progress.reuse =
+      progress.may_reuse &&
+      solver.norm(model_error) < tangent_serves_below * needed * before;
+    // never ask the next solve for much more than is left to gain
+    progress.forcing =
+      std::clamp(0.9 * reduction * reduction,
+                 std::min(forcing_share * needed, largest_forcing),
+                 largest_forcing);
   }
 
   template <int dim>
@@ -178,13 +196,12 @@ namespace seiche
       std::max(parameters.tolerance * first.volume,
                parameters.absolute_tolerance * scale.volume)};
 
-    Norms        now         = first;
-    double       forcing     = largest_forcing;
-    bool         reuse       = false; // the tangent, in the next iteration
-    bool         reused      = false; // in the last one
-    unsigned int slow_in_row = 0;
-    if (new_tangents > 0)
-      --new_tangents;
+    Norms    now = first;
+    Progress progress;
+    progress.forcing   = largest_forcing;
+    progress.may_reuse = tries_with_new_tangents == 0;
+    if (!progress.may_reuse)
+      --tries_with_new_tangents;
     // not (a > b): a residual that is not a number has not converged
     const auto is_small = [&]() {
       return now.momentum <= target.momentum && now.volume <= target.volume;
@@ -196,27 +213,31 @@ namespace seiche
             contact.correct(state))
           {
             assembler.residual(state, residual);
-            now   = norms(residual);
-            reuse = reused = false;
-            slow_in_row    = 0;
+            now            = norms(residual);
+            progress.reuse = progress.reused = false; // another problem
+            progress.slow_in_row             = 0;
           }
         if (is_small())
           break;
-        if (reused)
-          new_tangents = steps_after_miss;
+        if (progress.reused)
+          {
+            progress.reuse = progress.may_reuse = false;
+            tries_with_new_tangents             = tries_after_miss;
+          }
         result.failure =
-          reason_to_stop(now, first, result.iterations, slow_in_row);
+          reason_to_stop(now, first, result.iterations, progress);
         if (!result.failure.empty())
           return result;
-        if (!reuse)
+        if (!progress.reuse)
           {
             assembler.tangent(state, matrix);
             solver.initialize(matrix, assembler, state.mass);
           }
-        reused              = reuse;
+        progress.reused     = progress.reuse;
         const double before = solver.norm(residual);
         residual *= -1.;
-        const LinearResult linear = solver.solve(update, residual, forcing);
+        const LinearResult linear =
+          solver.solve(update, residual, progress.forcing);
         result.krylov_iterations += linear.iterations;
         ++result.iterations;
         if (!linear.is_usable(usable_reduction))
@@ -229,19 +250,18 @@ namespace seiche
         matrix.vmult(model_error, update);
         model_error -= residual; // what would be left, were the problem linear
         const double after = move(state, before);
-        slow_in_row = after > slow_reduction * before ? slow_in_row + 1 : 0;
         model_error -= residual;
-        if (projection.update(state, result.iterations))
+        const bool is_projected = projection.update(state, result.iterations);
+        if (is_projected)
           assembler.residual(state, residual);
         now = norms(residual);
-
-        const double needed = std::min(ratio(target.momentum, now.momentum),
-                                       ratio(target.volume, now.volume));
-        reuse = new_tangents == 0 && tangent_serves(needed, before);
-        // never ask the next solve for much more than is left to gain
-        forcing = std::clamp(0.9 * std::pow(after / before, 2),
-                             std::min(0.5 * needed, largest_forcing),
-                             largest_forcing);
+        plan_next(progress,
+                  after / before,
+                  std::min(ratio(target.momentum, now.momentum),
+                           ratio(target.volume, now.volume)),
+                  before);
+        if (is_projected) // what is left is not the tangent's fault
+          progress.reused = false;
       }
     result.converged = true;
     return result;

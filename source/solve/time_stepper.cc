@@ -170,7 +170,7 @@ namespace seiche
         "help: a smaller Time/Step or Step control = CFL, a larger Free "
         "surface/Ghost velocity, a smaller Free surface/Ghost velocity time, a "
         "larger Formulation/Tau continuity factor, more points per cell, "
-        "or a smaller Time/Minimum step.",
+        "a larger Solver/Newton tolerance, or a smaller Time/Minimum step.",
         n_steps + 1,
         now,
         reason,

@@ -101,10 +101,9 @@ namespace seiche
     c.inertia = 1. / (dt * dt);
     c.rate    = 0.;
     // with a finite bulk modulus the volume ratio is pressure, not error
-    c.volume_recovery =
-      std::isinf(assembler.formulation.material.bulk_modulus) ?
-        step.volume_recovery :
-        0.;
+    c.volume_recovery = assembler.formulation.material.is_incompressible() ?
+                          step.volume_recovery :
+                          0.;
     c.rate_constraint = step.start_divergence * dt * dt;
     c.viscous = c.body_force = c.damping = false;
 

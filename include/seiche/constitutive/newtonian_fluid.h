@@ -2,6 +2,7 @@
 #ifndef seiche_constitutive_newtonian_fluid_h
 #define seiche_constitutive_newtonian_fluid_h
 
+#include <cmath>
 #include <string>
 
 namespace dealii
@@ -26,6 +27,12 @@ namespace seiche
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+
+    bool
+    is_incompressible() const
+    {
+      return std::isinf(bulk_modulus);
+    }
 
     /// Reads the bulk modulus; InputError for what makes no sense.
     void

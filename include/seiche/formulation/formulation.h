@@ -7,6 +7,7 @@
 #include <seiche/formulation/cell_data.h>
 #include <seiche/formulation/stabilization.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -19,6 +20,12 @@ namespace seiche
     double       bulk_modulus = 0.; ///< [Pa], infinity in the mixed form only
     NewtonianLaw law;
     VolumeLaw    volume_law;
+
+    bool
+    is_incompressible() const
+    {
+      return std::isinf(bulk_modulus);
+    }
 
     /// Tangent viscosity [Pa s] that acts in a step with these coefficients.
     double

@@ -50,7 +50,7 @@ namespace seiche
       using std::max, std::min; // or those of lanes
       Number error = cell.coefficients.volume_recovery *
                      (load<Number>(&quadrature.volume_ratio[q]) - 1.);
-      if (std::isinf(material.bulk_modulus)) // else J carries the pressure
+      if (material.is_incompressible()) // else J carries the pressure
         error =
           min(max(error, Number(-largest_recovery)), Number(largest_recovery));
       const Number J_n = 1. + error;

@@ -25,7 +25,7 @@ namespace seiche
     std::string name;
     std::string direction    = "x";
     std::string sense        = "upper";
-    double      least_height = 0.; ///< [m] above the bottom of the domain
+    double      least_height = 0.; ///< [m] above the first bottom; 0: all
 
     void
     add_parameters(dealii::ParameterHandler &prm);

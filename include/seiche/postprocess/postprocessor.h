@@ -44,8 +44,8 @@ namespace seiche
     double       pressure_theta;
     double       half_spacing;    ///< [m] half the initial spacing of points
     double       smallest_extent; ///< [m] smallest cell edge
-    unsigned int newton_iterations = 0; ///< of this step
-    unsigned int krylov_iterations = 0; ///< of this step
+    unsigned int newton_iterations = 0; ///< of this step, all tries
+    unsigned int krylov_iterations = 0; ///< of this step, all tries
   };
 
   /**

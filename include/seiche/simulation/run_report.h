@@ -55,8 +55,8 @@ namespace seiche
      *
      * @param time   [s] end of the step
      * @param dt     [s]
-     * @param newton iterations of this step
-     * @param krylov iterations of this step
+     * @param newton iterations of this step, all tries
+     * @param krylov iterations of this step, all tries
      * @param energy over its start [-]
      */
     void

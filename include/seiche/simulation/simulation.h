@@ -108,7 +108,8 @@ namespace seiche
     SeedingResult
     fill_points(const Checkpoint *start);
 
-    /// All that is carried from step to step but the points. Collective.
+    /// All that is carried from step to step but the points (and, within the
+    /// solver's tolerance, which tangents Newton makes anew). Collective.
     void
     save_or_load(StateArchive &archive);
     void

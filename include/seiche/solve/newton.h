@@ -81,17 +81,30 @@ namespace seiche
     double
     move(GridState<dim> &state, const double before);
 
-    /// True if the tangent is good enough for a reduction by @p needed after an
-    /// iteration that began with the residual @p before.
-    bool
-    tangent_serves(const double needed, const double before) const;
+    /// What iterations hand on.
+    struct Progress
+    {
+      double       forcing     = 0.;    ///< of the next linear solve
+      bool         may_reuse   = true;  ///< a tangent, in this try
+      bool         reuse       = false; ///< the tangent, in the next iteration
+      bool         reused      = false; ///< in the last one, to its end
+      unsigned int slow_in_row = 0;     ///< updates
+    };
+
+    /// After an update that left @p reduction of the residual @p before: what
+    /// the next one is asked for, to reduce the residual by @p needed.
+    void
+    plan_next(Progress    &progress,
+              const double reduction,
+              const double needed,
+              const double before) const;
 
     /// Why the iteration must stop, or nothing.
     std::string
     reason_to_stop(const Norms       &now,
                    const Norms       &first,
                    const unsigned int iterations,
-                   const unsigned int slow_in_row) const;
+                   const Progress    &progress) const;
 
     const NewtonParameters   parameters;
     const double             largest_forcing;
@@ -102,7 +115,7 @@ namespace seiche
     WallContact<dim>        &contact;
     BlockVector              residual, update;
     BlockVector              model_error; ///< of the linear model, last update
-    unsigned int             new_tangents = 0; ///< steps until one is reused
+    unsigned int tries_with_new_tangents = 0; ///< until one may be reused
   };
 } // namespace seiche
 
