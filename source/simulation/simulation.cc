@@ -185,9 +185,11 @@ namespace seiche
     const bool projects =
       scene.time.projects_each_step() || time_stepper.steps() == 0;
     // a smaller step after a failure must ask for less, or it fails as well
-    const std::string problem =
-      step_solver.solve(state, projects, time_stepper.share());
-    const NewtonResult &result = step_solver.effort();
+    const std::string   problem = step_solver.solve(state,
+                                                  projects,
+                                                  time_stepper.share(),
+                                                  time_stepper.is_repeated());
+    const NewtonResult &result  = step_solver.effort();
     effort.newton += result.iterations;
     effort.krylov += result.krylov_iterations;
     newton_total += result.iterations;

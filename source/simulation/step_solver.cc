@@ -113,7 +113,8 @@ namespace seiche
   std::string
   StepSolver<dim>::solve(GridState<dim> &state,
                          const bool      projects,
-                         const double    share)
+                         const double    share,
+                         const bool      is_repeated)
   {
     last = NewtonResult();
     if (const std::string problem = problem_of_walls(state); !problem.empty())
@@ -132,7 +133,7 @@ namespace seiche
       wall_contact.begin_iteration(step, rate_offset);
       assembler.begin(step, state.time, inertia_offset, rate_offset);
       const unsigned int of_projection = last.krylov_iterations;
-      last                             = newton.solve(state);
+      last = newton.solve(state, /*gives_up_early=*/!is_repeated);
       last.krylov_iterations += of_projection;
       if (!last.converged)
         return last.failure;

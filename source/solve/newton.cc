@@ -30,8 +30,8 @@ namespace seiche
     constexpr unsigned int tries_after_miss = 8;
 
     /// Two updates in a row, of new tangents, that leave more than this of the
-    /// residual will not end soon: half the step then costs less. Measured:
-    /// doc/performance.md.
+    /// residual will not end soon: half the step then costs less, if it was not
+    /// halved before. Measured: doc/performance.md.
     constexpr double       slow_reduction    = 0.5;
     constexpr unsigned int most_slow_updates = 2;
 
@@ -62,8 +62,8 @@ namespace seiche
     prm.add_parameter("Newton maximum iterations",
                       maximum_iterations,
                       "Iterations after which a step is repeated with half "
-                      "its size, as it is earlier where two updates in a row "
-                      "leave more than half of the residual",
+                      "its size; a first try ends earlier where two updates "
+                      "in a row leave more than half of the residual",
                       Patterns::Integer(1));
     prm.leave_subsection();
   }
@@ -146,7 +146,7 @@ namespace seiche
                               const unsigned int iterations,
                               const Progress    &progress) const
   {
-    const bool is_slow = progress.slow_in_row >= most_slow_updates;
+    const bool is_slow = progress.slow_in_row >= progress.most_slow;
     if (iterations < parameters.maximum_iterations && !is_slow &&
         std::isfinite(now.momentum + now.volume))
       return "";
@@ -181,7 +181,7 @@ namespace seiche
 
   template <int dim>
   NewtonResult
-  Newton<dim>::solve(GridState<dim> &state)
+  Newton<dim>::solve(GridState<dim> &state, const bool gives_up_early)
   {
     NewtonResult result;
     residual.reinit(state.solution);
@@ -198,7 +198,9 @@ namespace seiche
 
     Norms    now = first;
     Progress progress;
-    progress.forcing   = largest_forcing;
+    progress.forcing = largest_forcing;
+    progress.most_slow =
+      gives_up_early ? most_slow_updates : parameters.maximum_iterations;
     progress.may_reuse = tries_with_new_tangents == 0;
     if (!progress.may_reuse)
       --tries_with_new_tangents;

@@ -1,12 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A run that has to fail: check_failure.py EXIT_CODE MESSAGE COMMAND..."""
+"""A run that has to fail: check_failure.py EXIT_CODE MESSAGE COMMAND... --output FOLDER;
+the message stands in what it prints or in its run.log."""
+import pathlib
 import subprocess
 import sys
 
 code, message, *command = sys.argv[1:]
 result = subprocess.run(command, capture_output=True, text=True)
 output = result.stdout + result.stderr
+log = pathlib.Path(command[-1], "run.log")
+if log.exists():
+    output += log.read_text()
 print(output)
 if result.returncode != int(code):
     sys.exit(f"exit code {result.returncode}, expected {code}")

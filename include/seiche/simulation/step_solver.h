@@ -51,11 +51,15 @@ namespace seiche
     /**
      * One attempt at the step of state.time and state.dt; empty, or why it
      * failed. @p projects: whether the start velocity is to satisfy the
-     * constraint; @p share: of the volume error that the step may recover [-].
-     * Collective.
+     * constraint; @p share: of the volume error that the step may recover [-];
+     * @p is_repeated: not the step's first attempt, so that Newton may take its
+     * time. Collective.
      */
     std::string
-    solve(GridState<dim> &state, const bool projects, const double share);
+    solve(GridState<dim> &state,
+          const bool      projects,
+          const double    share,
+          const bool      is_repeated);
 
     /// Iterations of the last attempt.
     const NewtonResult &

@@ -38,9 +38,9 @@ namespace seiche
    * the forces (volumes) at work. Forcing terms: Eisenstat and Walker 1996,
    * choice 2, not below what the convergence test can use. The tangent serves
    * the next iteration as well if the problem proved nearly linear. Updates
-   * that make the residual grow are shortened; two in a row that hardly reduce
-   * it end the iteration, the step is then halved. The set of nodes that
-   * unilateral walls hold is corrected after each of them.
+   * that make the residual grow are shortened. Two updates in a row that hardly
+   * reduce it end an iteration that may give up early. The set of nodes that
+   * unilateral walls hold is corrected after each update.
    */
   template <int dim>
   class Newton
@@ -58,9 +58,10 @@ namespace seiche
 
     /// Solve for state.solution, starting at its value; assembler and contact
     /// have been begun for the step. state.reaction belongs to the solution.
+    /// @p gives_up_early: a smaller step would cost less than many iterations.
     /// Collective.
     NewtonResult
-    solve(GridState<dim> &state);
+    solve(GridState<dim> &state, const bool gives_up_early);
 
   private:
     struct Norms
@@ -85,6 +86,7 @@ namespace seiche
     struct Progress
     {
       double       forcing     = 0.;    ///< of the next linear solve
+      unsigned int most_slow   = 0;     ///< updates in a row
       bool         may_reuse   = true;  ///< a tangent, in this try
       bool         reuse       = false; ///< the tangent, in the next iteration
       bool         reused      = false; ///< in the last one, to its end

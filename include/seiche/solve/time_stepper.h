@@ -70,6 +70,13 @@ namespace seiche
     bool
     is_accurate(const double error, double &step_size);
 
+    /// True if the step that starts has been tried with a larger size.
+    bool
+    is_repeated() const
+    {
+      return dt < first_tried;
+    }
+
     /// True if the last step stayed because the error may not cut it further.
     bool
     is_at_least_size() const
