@@ -118,6 +118,8 @@ namespace seiche
         else
           log.open(name);
         log.append(early_log);
+        for (const char *of_finished : {"/summary.json", "/timing.txt"})
+          std::filesystem::remove(options.directory + of_finished);
       }
     if (options.test_mode)
       test_output.open("output");

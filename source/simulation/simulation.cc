@@ -126,6 +126,8 @@ namespace seiche
       formulation->update_points(points);
     }
     time_stepper.accept();
+    newton_total += effort.newton;
+    krylov_total += effort.krylov;
     material_is_found = points_are_controlled = false;
     return true;
   }
@@ -185,15 +187,12 @@ namespace seiche
     const bool projects =
       scene.time.projects_each_step() || time_stepper.steps() == 0;
     // a smaller step after a failure must ask for less, or it fails as well
-    const std::string   problem = step_solver.solve(state,
+    const std::string problem = step_solver.solve(state,
                                                   projects,
                                                   time_stepper.share(),
                                                   time_stepper.is_repeated());
-    const NewtonResult &result  = step_solver.effort();
-    effort.newton += result.iterations;
-    effort.krylov += result.krylov_iterations;
-    newton_total += result.iterations;
-    krylov_total += result.krylov_iterations;
+    effort.newton += step_solver.effort().iterations;
+    effort.krylov += step_solver.effort().krylov_iterations;
     if (!problem.empty())
       return problem;
     const TimerTree::Scope scope(timer, "acceptance");

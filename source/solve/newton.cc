@@ -54,11 +54,11 @@ namespace seiche
                       tolerance,
                       "Each field's residual over its first value at which "
                       "Newton's iteration ends [-]",
-                      Patterns::Double(1e-15, 1.));
+                      Patterns::Double(1e-15, 0.5));
     prm.add_parameter("Newton absolute tolerance",
                       absolute_tolerance,
                       "The same over the forces and volumes at work [-]",
-                      Patterns::Double(0.));
+                      Patterns::Double(0., 1e-3));
     prm.add_parameter("Newton maximum iterations",
                       maximum_iterations,
                       "Iterations after which a step is repeated with half "

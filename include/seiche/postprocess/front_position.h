@@ -63,8 +63,8 @@ namespace seiche
    * @brief How far the fluid reaches in a direction: the extreme coordinate
    * of the points from a height on, and half their initial spacing beyond it.
    *
-   * Where there is no point, the side of the domain that the front moves from.
-   * Vertical is the last direction.
+   * Where there is no point, the side of the domain that the front moves from,
+   * at its place at the start. Vertical is the last direction.
    */
   template <int dim>
   class FrontPosition : public Postprocessor<dim>
