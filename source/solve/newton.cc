@@ -160,18 +160,27 @@ namespace seiche
   }
 
   template <int dim>
+  double
+  Newton<dim>::model_error()
+  {
+    matrix.vmult(product, update);
+    product -= residual_change;
+    return solver.norm(product);
+  }
+
+  template <int dim>
   void
   Newton<dim>::plan_next(Progress    &progress,
                          const double reduction,
                          const double needed,
-                         const double before) const
+                         const double before,
+                         const bool   is_last)
   {
     // what an old tangent leaves says little about a new one
     const bool is_slow   = reduction > slow_reduction && !progress.reused;
     progress.slow_in_row = is_slow ? progress.slow_in_row + 1 : 0;
-    progress.reuse =
-      progress.may_reuse &&
-      solver.norm(model_error) < tangent_serves_below * needed * before;
+    progress.reuse       = progress.may_reuse && !is_last &&
+                     model_error() < tangent_serves_below * needed * before;
     // never ask the next solve for much more than is left to gain
     progress.forcing =
       std::clamp(0.9 * reduction * reduction,
@@ -186,7 +195,8 @@ namespace seiche
     NewtonResult result;
     residual.reinit(state.solution);
     update.reinit(state.solution);
-    model_error.reinit(state.solution);
+    residual_change.reinit(state.solution);
+    product.reinit(state.solution);
     projection.begin(state);
     assembler.residual(state, residual);
     const Norms first = norms(residual), scale = scales(state);
@@ -249,10 +259,9 @@ namespace seiche
                           linear.iterations);
             return result;
           }
-        matrix.vmult(model_error, update);
-        model_error -= residual; // what would be left, were the problem linear
+        residual_change    = residual; // of the old one, negative
         const double after = move(state, before);
-        model_error -= residual;
+        residual_change += residual;
         const bool is_projected = projection.update(state, result.iterations);
         if (is_projected)
           assembler.residual(state, residual);
@@ -261,7 +270,8 @@ namespace seiche
                   after / before,
                   std::min(ratio(target.momentum, now.momentum),
                            ratio(target.volume, now.volume)),
-                  before);
+                  before,
+                  is_small());
         if (is_projected) // what is left is not the tangent's fault
           progress.reused = false;
       }

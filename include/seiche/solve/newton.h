@@ -93,13 +93,19 @@ namespace seiche
       unsigned int slow_in_row = 0;     ///< updates
     };
 
+    /// Norm of what the linear model of the last update missed.
+    double
+    model_error();
+
     /// After an update that left @p reduction of the residual @p before: what
     /// the next one is asked for, to reduce the residual by @p needed.
+    /// @p is_last: it is small enough already.
     void
     plan_next(Progress    &progress,
               const double reduction,
               const double needed,
-              const double before) const;
+              const double before,
+              const bool   is_last);
 
     /// Why the iteration must stop, or nothing.
     std::string
@@ -116,7 +122,8 @@ namespace seiche
     LinearSolver<dim>       &solver;
     WallContact<dim>        &contact;
     BlockVector              residual, update;
-    BlockVector              model_error; ///< of the linear model, last update
+    BlockVector  residual_change; ///< new less old; A update if linear
+    BlockVector  product;
     unsigned int tries_with_new_tangents = 0; ///< until one may be reused
   };
 } // namespace seiche
