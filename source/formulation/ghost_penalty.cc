@@ -31,6 +31,13 @@ namespace seiche
                       "Time T_v of that damping: a physical time, so that it "
                       "does not grow with small steps [s]",
                       Patterns::Double(1e-300));
+    prm.add_parameter("Point inertia",
+                      point_inertia,
+                      "Rotational inertia of the points' own extent in cut "
+                      "cells, in multiples of that of a box with a point's "
+                      "volume: keeps nodes with little mass from running away; "
+                      "0: points are points [-]",
+                      Patterns::Double(0.));
     prm.add_parameter("Sliver treatment",
                       sliver_treatment,
                       "Cells with little fluid: lumped mass, averaged "

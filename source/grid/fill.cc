@@ -18,6 +18,9 @@ namespace seiche
     constexpr double surface_weight_range  = 0.25;
     constexpr double detached_below        = 0.5;
 
+    /// Second moment of a box of edge 1 in each direction.
+    constexpr double moment_of_box = 1. / 12.;
+
     double
     rounded(const double fill)
     {
@@ -79,7 +82,7 @@ namespace seiche
     overfull                    = Utilities::MPI::sum(excess, communicator) /
                Utilities::MPI::sum(total, communicator);
 
-    classify();
+    classify(points);
     collect_ghost_faces();
   }
 
@@ -104,10 +107,11 @@ namespace seiche
 
   template <int dim>
   void
-  Fill<dim>::classify()
+  Fill<dim>::classify(const PointCloud<dim> &points)
   {
     const unsigned int n_cells = occupancy.locator.n_cells();
     weight.assign(n_cells, 0.);
+    moment.assign(occupancy.locator.n_owned(), 0.);
     flags.assign(n_cells, 0);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
@@ -143,6 +147,14 @@ namespace seiche
           flags[cell] |= thin;
         if (weight[cell] < 1. && fill[cell] < sliver_below)
           flags[cell] |= sliver;
+        if (is_at_surface && weight[cell] < 1.)
+          {
+            const double edge =
+              std::pow(std::min(1., fill[cell] / points.n_points_in(cell)),
+                       1. / dim);
+            moment[cell] =
+              (1. - weight[cell]) * fill[cell] * moment_of_box * edge * edge;
+          }
       }
     occupancy.locator.exchange_to_ghosts(weight);
     std::vector<double> values(flags.begin(), flags.end());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/formulation/point_inertia.h>
 #include <seiche/solve/assembler.h>
 
 namespace seiche
@@ -163,6 +164,7 @@ namespace seiche
     const auto add_cell = [&](const unsigned int cell) {
       CellData<dim, degree> &data = gather<degree>(cell, state);
       formulation.residual(data);
+      PointInertia<dim, degree>::add_residual(data);
       scatter<degree>(cell, data, residual);
     };
     const auto add_face = [&](const GhostFaceMatrix<dim, degree> &face,
@@ -237,6 +239,7 @@ namespace seiche
         {
           gather<degree>(cell, state);
           formulation.tangent(data);
+          PointInertia<dim, degree>::add_tangent(data);
           if (hanging)
             condense_tangent(cell, data);
           last_extent = reusable ? data.extent : Tensor<1, dim>();

@@ -17,10 +17,13 @@ namespace seiche
     data.coefficients              = step;
     if (fill.is_thin(cell) || fill.is_sliver(cell))
       data.coefficients.jerk_constraint = 0.; // noise in spray, hard on Newton
-    data.extent = locator.extent(cell);
-    data.size   = dim == 2 ? std::sqrt(locator.measure(cell)) :
-                             std::cbrt(locator.measure(cell));
-    data.sliver = free_surface.sliver_treatment && fill.is_sliver(cell);
+    data.extent         = locator.extent(cell);
+    data.size           = dim == 2 ? std::sqrt(locator.measure(cell)) :
+                                     std::cbrt(locator.measure(cell));
+    data.sliver         = free_surface.sliver_treatment && fill.is_sliver(cell);
+    data.extent_inertia = free_surface.point_inertia *
+                          formulation.material.density *
+                          fill.extent_moment(cell) * locator.measure(cell);
     quadrature.get(cell, data.quadrature);
 
     const unsigned int *nodes = occupancy.cell_nodes(cell);

@@ -33,7 +33,9 @@ namespace seiche
     double                 size   = 0.;    ///< |K|^(1/dim) [m]
     bool                   sliver = false; ///< lumped mass, averaged tau1 term
     double                 start_speed = 0.; ///< |v_0| at the centre [m/s]
-    CellQuadrature<dim>    quadrature;
+    double extent_inertia = 0.; ///< of the points' own extent [kg], see
+                                ///< formulation/point_inertia.h
+    CellQuadrature<dim> quadrature;
 
     alignas(64) NodalVector displacement;  ///< u [m]
     alignas(64) NodalVector acceleration;  ///< C_a u + offset [m/s^2]

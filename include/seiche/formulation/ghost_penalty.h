@@ -19,6 +19,7 @@ namespace seiche
     double pressure         = 0.1;  // gamma_p
     double velocity         = 0.1;  // gamma_v
     double velocity_time    = 0.05; // T_v [s]
+    double point_inertia    = 1.;
     bool   sliver_treatment = true;
 
     void

@@ -64,6 +64,16 @@ namespace seiche
       return flags[cell] & sliver;
     }
 
+    /// Second moments of the points' own extent in an own cell: zero unless it
+    /// is cut, there (1 - w) s^2/12 of its fill [-]. A point is taken as a box
+    /// of the cell's shape, s times as large as the cell, so that it holds the
+    /// mean volume of the cell's points.
+    double
+    extent_moment(const unsigned int cell) const
+    {
+      return moment[cell];
+    }
+
     /// Initial volume of the points in an own cell over its measure.
     double
     cell_fill(const unsigned int cell) const
@@ -111,12 +121,12 @@ namespace seiche
     is_detached(const unsigned int cell, const double *at_nodes) const;
 
     void
-    classify();
+    classify(const PointCloud<dim> &points);
     void
     collect_ghost_faces();
 
     const bool                 gauss_in_full_cells;
-    std::vector<double>        weight, fill;
+    std::vector<double>        weight, fill, moment;
     std::vector<unsigned char> flags;
     Vector                     node_fill;
     std::vector<GhostFace>     faces;

@@ -49,7 +49,7 @@ namespace seiche
     using BlockVector = typename GridState<dim>::BlockVector;
 
     Newton(const NewtonParameters  &parameters,
-           const double             largest_forcing,
+           const double             first_forcing,
            Assembler<dim>          &assembler,
            ResidualProjection<dim> &projection,
            BlockMatrix<dim>        &matrix,
@@ -115,7 +115,7 @@ namespace seiche
                    const Progress    &progress) const;
 
     const NewtonParameters   parameters;
-    const double             largest_forcing;
+    const double             first_forcing;
     Assembler<dim>          &assembler;
     ResidualProjection<dim> &projection;
     BlockMatrix<dim>        &matrix;

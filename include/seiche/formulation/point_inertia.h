@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_formulation_point_inertia_h
+#define seiche_formulation_point_inertia_h
+
+#include <seiche/formulation/cell_data.h>
+
+namespace seiche
+{
+  /**
+   * @brief Inertia of the points' own extent (doc/theory.md, section 6).
+   *
+   * A point stands for a box of fluid. The inertia of the box about its centre
+   * is what sum m N_a N_b leaves out: m l_d^2/12 N_a,d N_b,d, the error of one
+   * point as its quadrature. By cell mean,
+   *
+   *     R_u += c int grad a : grad w,
+   *
+   * integral and gradients over the unit cell, c = CellData::extent_inertia.
+   * A node that all points are far from has hardly any mass, but this inertia
+   * against its neighbours. Uniform accelerations do not see it: momentum is
+   * conserved.
+   */
+  template <int dim, int degree>
+  struct PointInertia
+  {
+    /// To CellData::residual_u [N].
+    static void
+    add_residual(CellData<dim, degree> &cell);
+
+    /// The derivative with respect to u, to CellData::uu [N/m].
+    static void
+    add_tangent(CellData<dim, degree> &cell);
+  };
+} // namespace seiche
+
+#endif
