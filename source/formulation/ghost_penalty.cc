@@ -33,10 +33,9 @@ namespace seiche
                       Patterns::Double(1e-300));
     prm.add_parameter("Point inertia",
                       point_inertia,
-                      "Rotational inertia of the points' own extent in cut "
-                      "cells, in multiples of that of a box with a point's "
-                      "volume: keeps nodes with little mass from running away; "
-                      "0: points are points [-]",
+                      "Inertia of the points' own extent (second moments), in "
+                      "multiples of that of a box with a point's volume: keeps "
+                      "nodes with little mass from running away; 0: none [-]",
                       Patterns::Double(0.));
     prm.add_parameter("Sliver treatment",
                       sliver_treatment,

@@ -53,7 +53,7 @@ namespace seiche
         {
           const double factor = cell.extent_inertia * cell.acceleration[i][b];
           for (unsigned int a = 0; a < cell.n_nodes; ++a)
-            cell.residual_u[i][a] += factor * stiffness[b][a]; // symmetric
+            cell.residual_u[i][a] += factor * stiffness[b][a];
         }
   }
 

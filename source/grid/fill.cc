@@ -18,9 +18,6 @@ namespace seiche
     constexpr double surface_weight_range  = 0.25;
     constexpr double detached_below        = 0.5;
 
-    /// Second moment of a box of edge 1 in each direction.
-    constexpr double moment_of_box = 1. / 12.;
-
     double
     rounded(const double fill)
     {
@@ -111,7 +108,7 @@ namespace seiche
   {
     const unsigned int n_cells = occupancy.locator.n_cells();
     weight.assign(n_cells, 0.);
-    moment.assign(occupancy.locator.n_owned(), 0.);
+    extent_moments.assign(occupancy.locator.n_owned(), 0.);
     flags.assign(n_cells, 0);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
@@ -147,13 +144,14 @@ namespace seiche
           flags[cell] |= thin;
         if (weight[cell] < 1. && fill[cell] < sliver_below)
           flags[cell] |= sliver;
-        if (is_at_surface && weight[cell] < 1.)
+        if (weight[cell] < 1.)
           {
+            // points may be larger than cells where the mesh was refined
             const double edge =
               std::pow(std::min(1., fill[cell] / points.n_points_in(cell)),
                        1. / dim);
-            moment[cell] =
-              (1. - weight[cell]) * fill[cell] * moment_of_box * edge * edge;
+            extent_moments[cell] =
+              (1. - weight[cell]) * fill[cell] * edge * edge / 12.;
           }
       }
     occupancy.locator.exchange_to_ghosts(weight);

@@ -57,7 +57,7 @@ namespace seiche
                       tolerance,
                       "Residual over its first value at which the first linear "
                       "solve of a step ends; later Newton iterations ask for "
-                      "what is still needed [-]",
+                      "half of what is still needed, 0.3 at most [-]",
                       Patterns::Double(1e-15, 0.9));
     prm.add_parameter("Projection tolerance",
                       projection_tolerance,

@@ -36,10 +36,10 @@ namespace seiche
     constexpr unsigned int most_slow_updates = 2;
 
     /// Of the reduction still needed, what a linear solve is asked for, and
-    /// the least reduction: what a solve gains beyond what is needed excites
-    /// nodes of little mass. Measured: doc/performance.md.
+    /// the loosest that it is asked for: a solve that does much more than is
+    /// needed excites nodes of little mass. Measured: doc/performance.md.
     constexpr double forcing_share   = 0.5;
-    constexpr double loosest_forcing = 0.3;
+    constexpr double loosest_forcing = usable_reduction;
 
     /// 1 where the denominator is zero: nothing to compare with.
     double
@@ -231,6 +231,7 @@ namespace seiche
             now            = norms(residual);
             progress.reuse = progress.reused = false; // another problem
             progress.slow_in_row             = 0;
+            progress.forcing                 = first_forcing;
           }
         if (is_small())
           break;

@@ -65,7 +65,8 @@ namespace
                                  2);
             error = std::max(error, std::abs(moment - exact) * 12.);
           }
-        own_share = fill.extent_moment(cell);
+        if (share < 1.)
+          own_share = fill.extent_moment(cell);
       }
     return error;
   }

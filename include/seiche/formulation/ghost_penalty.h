@@ -19,7 +19,7 @@ namespace seiche
     double pressure         = 0.1;  // gamma_p
     double velocity         = 0.1;  // gamma_v
     double velocity_time    = 0.05; // T_v [s]
-    double point_inertia    = 1.;
+    double point_inertia    = 1.;   // of the points' own extent
     bool   sliver_treatment = true;
 
     void

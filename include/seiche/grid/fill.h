@@ -64,14 +64,14 @@ namespace seiche
       return flags[cell] & sliver;
     }
 
-    /// Second moments of the points' own extent in an own cell: zero unless it
-    /// is cut, there (1 - w) s^2/12 of its fill [-]. A point is taken as a box
-    /// of the cell's shape, s times as large as the cell, so that it holds the
-    /// mean volume of the cell's points.
+    /// Second moments of the points' own extent in an own cell: (1 - w) s^2/12
+    /// of its fill [-]. A point is taken as a box of the cell's shape with s
+    /// times its edges, so that it holds the mean volume of the cell's points;
+    /// s is 1 at most.
     double
     extent_moment(const unsigned int cell) const
     {
-      return moment[cell];
+      return extent_moments[cell];
     }
 
     /// Initial volume of the points in an own cell over its measure.
@@ -126,7 +126,7 @@ namespace seiche
     collect_ghost_faces();
 
     const bool                 gauss_in_full_cells;
-    std::vector<double>        weight, fill, moment;
+    std::vector<double>        weight, fill, extent_moments;
     std::vector<unsigned char> flags;
     Vector                     node_fill;
     std::vector<GhostFace>     faces;
