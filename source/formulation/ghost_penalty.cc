@@ -35,8 +35,9 @@ namespace seiche
                       point_inertia,
                       "Inertia of the points' own extent (second moments), in "
                       "multiples of that of a box with a point's volume: keeps "
-                      "nodes with little mass from running away; 0: none [-]",
-                      Patterns::Double(0.));
+                      "nodes with little mass from running away; more than 4 "
+                      "slows fronts; 0: none [-]",
+                      Patterns::Double(0., 16.));
     prm.add_parameter("Sliver treatment",
                       sliver_treatment,
                       "Cells with little fluid: lumped mass, averaged "
