@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/formulation/gauss_gradients.h>
 #include <seiche/formulation/point_inertia.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 namespace seiche
 {
@@ -13,23 +12,23 @@ namespace seiche
     template <int dim, int degree>
     struct UnitStiffness
     {
-      using Shape                           = TensorShape<dim, degree>;
-      static constexpr unsigned int n_nodes = Shape::n_nodes;
+      static constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
 
       double value[n_nodes][n_nodes] = {};
 
       UnitStiffness()
       {
-        const QGauss<dim> gauss(degree + 1);
-        double            N[n_nodes], slope[n_nodes][dim];
-        for (unsigned int q = 0; q < gauss.size(); ++q)
-          {
-            Shape::evaluate(gauss.point(q), N, slope);
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              for (unsigned int b = 0; b < n_nodes; ++b)
-                for (unsigned int d = 0; d < dim; ++d)
-                  value[a][b] += gauss.weight(q) * slope[a][d] * slope[b][d];
-          }
+        Tensor<1, dim> edges;
+        for (unsigned int d = 0; d < dim; ++d)
+          edges[d] = 1.;
+        for_each_gauss_gradient<dim, degree>(
+          edges,
+          [this](const double(&gradient)[dim][n_nodes], const double weight) {
+            for (unsigned int d = 0; d < dim; ++d)
+              for (unsigned int a = 0; a < n_nodes; ++a)
+                for (unsigned int b = 0; b < n_nodes; ++b)
+                  value[a][b] += weight * gradient[d][a] * gradient[d][b];
+          });
       }
 
       static const UnitStiffness &

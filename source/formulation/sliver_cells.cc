@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/formulation/displacement_pressure_vms.h>
-#include <seiche/formulation/point_kinematics.h>
-
-#include <deal.II/base/quadrature_lib.h>
+#include <seiche/formulation/gauss_gradients.h>
 
 namespace seiche
 {
@@ -38,21 +36,6 @@ namespace seiche
         body_force /= mass;
       }
     };
-
-    /// f(grad_n N, weight) at degree + 1 Gauss points per direction; weights
-    /// sum to 1.
-    template <int dim, int degree, typename Function>
-    void
-    for_each_gauss_gradient(const Tensor<1, dim> &extent, const Function &f)
-    {
-      static const QGauss<dim>     gauss(degree + 1);
-      PointKinematics<dim, degree> point;
-      for (unsigned int q = 0; q < gauss.size(); ++q)
-        {
-          point.shape(gauss.point(q), extent);
-          f(point.gradient_n, gauss.weight(q));
-        }
-    }
   } // namespace
 
   template <int dim>

@@ -147,11 +147,10 @@ namespace seiche
         if (weight[cell] < 1.)
           {
             // points may be larger than cells where the mesh was refined
-            const double edge =
-              std::pow(std::min(1., fill[cell] / points.n_points_in(cell)),
-                       1. / dim);
-            extent_moments[cell] =
-              (1. - weight[cell]) * fill[cell] * edge * edge / 12.;
+            const double share =
+              std::min(1., fill[cell] / points.n_points_in(cell));
+            extent_moments[cell] = (1. - weight[cell]) * fill[cell] *
+                                   std::pow(share, 2. / dim) / 12.;
           }
       }
     occupancy.locator.exchange_to_ghosts(weight);

@@ -211,7 +211,7 @@ namespace seiche
 
     Norms    now = first;
     Progress progress;
-    progress.forcing = first_forcing;
+    progress.begin(first_forcing);
     progress.most_slow =
       gives_up_early ? most_slow_updates : parameters.maximum_iterations;
     progress.may_reuse = tries_with_new_tangents == 0;
@@ -228,10 +228,8 @@ namespace seiche
             contact.correct(state))
           {
             assembler.residual(state, residual);
-            now            = norms(residual);
-            progress.reuse = progress.reused = false; // another problem
-            progress.slow_in_row             = 0;
-            progress.forcing                 = first_forcing;
+            now = norms(residual);
+            progress.begin(first_forcing); // another problem
           }
         if (is_small())
           break;

@@ -40,8 +40,8 @@ namespace seiche
     /// repeated.
     constexpr double repeat_above = 2.;
 
-    /// A last step may be this much longer, so that none is tiny.
-    constexpr double stretch = 1. + 1e-9;
+    /// A last step may be this much longer: what rounding of Step leaves.
+    constexpr double stretch = 1. + 1e-6;
   } // namespace
 
   void
@@ -130,9 +130,9 @@ namespace seiche
   double
   TimeStepper::next_step(const double speed_per_cell)
   {
-    const bool is_controlled = parameters.control != "fixed";
-    limit                    = parameters.step;
-    if (is_controlled && speed_per_cell * limit > parameters.cfl)
+    limit = parameters.step;
+    if (parameters.control != "fixed" &&
+        speed_per_cell * limit > parameters.cfl)
       limit = parameters.cfl / speed_per_cell;
     dt = std::max(reduction * limit, smallest_step());
     if (parameters.controls_error())
@@ -148,7 +148,7 @@ namespace seiche
     const double rest = parameters.end_time - now;
     if (rest <= stretch * dt)
       dt = rest;
-    else if ((is_controlled || reduction < 1.) && rest < 2. * dt)
+    else if (rest < 2. * dt)
       dt = 0.5 * rest; // no tiny last step
     first_tried = dt;
     return dt;

@@ -4,6 +4,8 @@
 #include <seiche/solve/time_stepper.h>
 #include <seiche/utilities/exceptions.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <string>
 
@@ -88,6 +90,29 @@ namespace
               << stepper.previous_step() << '\n';
   }
 
+  /// Steps to an end that is no multiple of them, or not by rounding.
+  void
+  test_end(const std::string &control, const double step, const double end_time)
+  {
+    TimeStepParameters parameters = make_parameters(control);
+    parameters.step               = step;
+    parameters.end_time           = end_time;
+    TimeStepper  stepper(parameters);
+    double       smallest = step, largest = 0.;
+    unsigned int n = 0;
+    for (; !stepper.finished(); ++n)
+      {
+        const double dt = stepper.next_step(/*speed_per_cell=*/0.1);
+        smallest        = std::min(smallest, dt);
+        largest         = std::max(largest, dt);
+        stepper.accept();
+      }
+    std::cout << control << ", " << end_time << " in steps of " << step << ": "
+              << n << " of " << smallest / step << " to " << largest / step
+              << " of it, end missed by "
+              << std::abs(stepper.time() / end_time - 1.) << '\n';
+  }
+
   /// Failures until it gives up, in the first step to @p end_time.
   void
   test_give_up(const std::string &control, const double end_time)
@@ -123,6 +148,13 @@ main()
   test_noise(0., 1000.);
   test_noise(0.1, 0.1);
   test_failures_at_least_size();
+  for (const char *control : {"fixed", "CFL"})
+    {
+      test_end(control, 0.0003333333333, 0.5); // 1500 leave 5e-11 s
+      test_end(control, 0.1, 10.);
+      test_end(control, 0.3, 1.);
+      test_end(control, 2., 1.);
+    }
   for (const char *control : {"fixed", "CFL", "error"})
     for (const double end_time : {100., 1e-5})
       test_give_up(control, end_time);

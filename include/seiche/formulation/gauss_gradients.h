@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_formulation_gauss_gradients_h
+#define seiche_formulation_gauss_gradients_h
+
+#include <seiche/formulation/point_kinematics.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace seiche
+{
+  /// f(grad_n N, weight) at degree + 1 Gauss points per direction of a box with
+  /// edges @p extent [m]; weights sum to 1.
+  template <int dim, int degree, typename Function>
+  void
+  for_each_gauss_gradient(const dealii::Tensor<1, dim> &extent,
+                          const Function               &f)
+  {
+    static const dealii::QGauss<dim> gauss(degree + 1);
+    PointKinematics<dim, degree>     point;
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+      {
+        point.shape(gauss.point(q), extent);
+        f(point.gradient_n, gauss.weight(q));
+      }
+  }
+} // namespace seiche
+
+#endif
