@@ -168,9 +168,8 @@ namespace seiche
         "step {}, t = {:.6g} s: {}, also at the smallest step {:.3g} s. "
         "The points are as they were at the start of this step. What may "
         "help: a smaller Time/Step or Step control = CFL, Free surface/Point "
-        "inertia = 1 and Sliver treatment = true (the defaults), a larger Free "
-        "surface/Ghost velocity, a smaller Free surface/Ghost velocity time, a "
-        "larger Formulation/Tau continuity factor, more points per cell, "
+        "inertia = 1 and Sliver treatment = true (the defaults), a larger "
+        "Formulation/Tau continuity factor, more points per cell, "
         "a larger Solver/Newton tolerance, or a smaller Time/Minimum step.",
         n_steps + 1,
         now,
