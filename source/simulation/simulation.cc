@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/simulation.h>
+#include <seiche/simulation/step_advice.h>
 #include <seiche/solve/displacement_error.h>
 #include <seiche/utilities/exceptions.h>
 
@@ -51,7 +52,7 @@ namespace seiche
                   fill,
                   report,
                   timer)
-    , time_stepper(scene.time)
+    , time_stepper(scene.time, step_advice(scene))
     , statistics(directory + "/statistics.csv",
                  Utilities::MPI::this_mpi_process(communicator) == 0)
   {

@@ -109,8 +109,9 @@ namespace seiche
                   "it must not exceed Time/Step");
   }
 
-  TimeStepper::TimeStepper(const TimeStepParameters &p)
+  TimeStepper::TimeStepper(const TimeStepParameters &p, const std::string &a)
     : parameters(p)
+    , advice(a)
   {}
 
   bool
@@ -166,15 +167,12 @@ namespace seiche
     if (dt < 0.5 * std::min(smallest_step(), first_tried)) // a short last one
       throw NumericalError(fmt::format(
         "step {}, t = {:.6g} s: {}, also at the smallest step {:.3g} s. "
-        "The points are as they were at the start of this step. What may "
-        "help: a smaller Time/Step or Step control = CFL, Free surface/Point "
-        "inertia = 1 and Sliver treatment = true (the defaults), a larger "
-        "Formulation/Tau continuity factor, more points per cell, "
-        "a larger Solver/Newton tolerance, or a smaller Time/Minimum step.",
+        "The points are as they were at the start of this step. {}",
         n_steps + 1,
         now,
         reason,
-        2. * dt));
+        2. * dt,
+        advice));
     return dt;
   }
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A run that has to fail: check_failure.py EXIT_CODE MESSAGE COMMAND... --output FOLDER;
-the message stands in what it prints or in its run.log."""
+"""A run that has to fail: check_failure.py EXIT_CODE MESSAGE[|MESSAGE...] COMMAND... --output
+FOLDER; the messages stand in what it prints or in its run.log."""
 import pathlib
 import subprocess
 import sys
 
-code, message, *command = sys.argv[1:]
+code, messages, *command = sys.argv[1:]
 result = subprocess.run(command, capture_output=True, text=True)
 output = result.stdout + result.stderr
 log = pathlib.Path(command[-1], "run.log")
@@ -15,5 +15,6 @@ if log.exists():
 print(output)
 if result.returncode != int(code):
     sys.exit(f"exit code {result.returncode}, expected {code}")
-if message not in output:
-    sys.exit(f"no message \"{message}\"")
+for message in messages.split("|"):
+    if message not in output:
+        sys.exit(f"no message \"{message}\"")

@@ -30,7 +30,7 @@ namespace
   void
   test_failures(const std::string &control)
   {
-    TimeStepper stepper(make_parameters(control));
+    TimeStepper stepper(make_parameters(control), "");
     std::cout << control << ", two failures in the third step:";
     for (unsigned int step = 0; step < 16; ++step)
       {
@@ -54,7 +54,7 @@ namespace
   {
     TimeStepParameters parameters = make_parameters("error");
     parameters.minimum_step       = minimum_step;
-    TimeStepper stepper(parameters);
+    TimeStepper stepper(parameters, "Try this.");
     for (unsigned int step = 0; step < 20; ++step)
       {
         double dt = stepper.next_step(speed_per_cell);
@@ -72,7 +72,7 @@ namespace
   void
   test_failures_at_least_size()
   {
-    TimeStepper  stepper(make_parameters("error"));
+    TimeStepper  stepper(make_parameters("error"), "");
     unsigned int failures = 0;
     for (unsigned int step = 0; step < 20; ++step)
       {
@@ -97,7 +97,7 @@ namespace
     TimeStepParameters parameters = make_parameters(control);
     parameters.step               = step;
     parameters.end_time           = end_time;
-    TimeStepper  stepper(parameters);
+    TimeStepper  stepper(parameters, "Try this.");
     double       smallest = step, largest = 0.;
     unsigned int n = 0;
     for (; !stepper.finished(); ++n)
@@ -119,7 +119,7 @@ namespace
   {
     TimeStepParameters parameters = make_parameters(control);
     parameters.end_time           = end_time;
-    TimeStepper  stepper(parameters);
+    TimeStepper  stepper(parameters, "Try this.");
     unsigned int failures = 0;
     const double begin    = stepper.next_step(0.1);
     try
@@ -130,8 +130,10 @@ namespace
             stepper.repeat("as a test");
           }
       }
-    catch (const seiche::NumericalError &)
+    catch (const seiche::NumericalError &error)
       {
+        if (std::string(error.what()).find("Try this.") == std::string::npos)
+          std::cout << "no advice: ";
         std::cout << control << " from " << begin << ": gives up after "
                   << failures << " failures, share " << stepper.share() << '\n';
       }

@@ -52,7 +52,9 @@ namespace seiche
   class TimeStepper
   {
   public:
-    explicit TimeStepper(const TimeStepParameters &parameters);
+    /// @p advice: what may help where a step fails at every size, a sentence.
+    TimeStepper(const TimeStepParameters &parameters,
+                const std::string        &advice);
 
     /// Size [s] of the step that starts now. @p speed_per_cell: largest speed
     /// over the cell's edge [1/s], all ranks.
@@ -136,6 +138,7 @@ namespace seiche
     smallest_step() const;
 
     const TimeStepParameters parameters;
+    const std::string        advice;
     double                   now         = 0.; ///< [s] start of the step
     double                   dt          = 0.; ///< [s] of the step
     double                   first_tried = 0.; ///< [s] before it was repeated

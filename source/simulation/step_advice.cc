@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/step_advice.h>
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+namespace seiche
+{
+  template <int dim>
+  std::string
+  step_advice(const Scene<dim> &scene)
+  {
+    const FreeSurfaceParameters   &surface = scene.free_surface;
+    const StabilizationParameters &vms     = scene.formulation.stabilization;
+    const unsigned int enough_points       = dim == 2 ? 4 : 2; // a direction
+    const double       enough_tau2         = 0.5;
+    const std::vector<std::pair<bool, std::string>> table = {
+      {scene.formulation.degree > 1,
+       "Formulation/Element degree = 1 (fluid that breaks up needs it)"},
+      {surface.point_inertia < 1., "Free surface/Point inertia = 1"},
+      {!surface.sliver_treatment, "Free surface/Sliver treatment = true"},
+      {surface.acceleration < 0.1, "Free surface/Ghost acceleration = 0.1"},
+      {scene.formulation.is_mixed() && surface.pressure < 0.1,
+       "Free surface/Ghost pressure = 0.1"},
+      {scene.time.control == "fixed", "Time/Step control = CFL"},
+      {scene.seeding.per_direction < enough_points,
+       fmt::format("Points/Per cell and direction = {}", enough_points)},
+      {scene.formulation.is_mixed() && vms.continuity_factor < enough_tau2,
+       fmt::format("Formulation/Tau continuity factor = {}", enough_tau2)},
+      {scene.time.minimum_step > 0., "a smaller Time/Minimum step"},
+      {scene.newton.tolerance < NewtonParameters().tolerance,
+       "a larger Solver/Newton tolerance"},
+      {true, "a smaller Time/Step"}};
+    std::string result;
+    for (const auto &[helps, entry] : table)
+      if (helps)
+        result += (result.empty() ? "" : ", ") + entry;
+    return "What may help in this scene: " + result + ".";
+  }
+
+  template std::string
+  step_advice(const Scene<2> &);
+  template std::string
+  step_advice(const Scene<3> &);
+} // namespace seiche
