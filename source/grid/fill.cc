@@ -11,6 +11,7 @@ namespace seiche
   namespace
   {
     // doc/theory.md, table of cell classes: the only thresholds of this kind
+    constexpr double thin_below            = 0.7;
     constexpr double sliver_below          = 0.3;
     constexpr double inner_needs_fill      = 0.3;
     constexpr double surface_weight_begins = 0.7;
@@ -139,6 +140,8 @@ namespace seiche
               (least > inner_needs_fill ? 1. : 0.);
         if (is_at_surface)
           flags[cell] |= cut;
+        if (is_at_surface && fill[cell] < thin_below)
+          flags[cell] |= thin;
         if (weight[cell] < 1. && fill[cell] < sliver_below)
           flags[cell] |= sliver;
         if (weight[cell] < 1.)
@@ -168,7 +171,8 @@ namespace seiche
           const unsigned int upper,
           const unsigned int direction) {
         if (is_cut(lower) || is_cut(upper))
-          faces.push_back({lower, upper, direction});
+          faces.push_back(
+            {lower, upper, direction, is_thin(lower) || is_thin(upper)});
       });
   }
 

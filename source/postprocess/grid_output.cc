@@ -50,7 +50,7 @@ namespace seiche
       grid.add_scalar("nodal fill [-]");
       grid.add_scalar("cell fill [-]");
       grid.add_scalar("Gauss weight [-]");
-      grid.add_scalar("cell class (0 inner 1 cut 2 sliver)");
+      grid.add_scalar("cell class (0 inner 1 cut 2 thin 3 sliver)");
 
       const Occupancy<dim>   &occupancy = view.occupancy;
       const CellLocator<dim> &locator   = occupancy.locator;
@@ -100,7 +100,7 @@ namespace seiche
               patch.data(2 * dim + 2, v) = fill.cell_fill(cell);
               patch.data(2 * dim + 3, v) = fill.gauss_weight(cell);
               patch.data(2 * dim + 4, v) =
-                fill.is_sliver(cell) ? 2. : fill.is_cut(cell);
+                fill.is_cut(cell) + fill.is_thin(cell) + fill.is_sliver(cell);
             }
         }
       return grid;

@@ -76,9 +76,11 @@ namespace seiche
                        1. / dim);
             add_face(matrix,
                      ghost_coefficients(free_surface,
+                                        *face,
                                         matrix.h,
                                         formulation.material.density,
-                                        ghost_tau(size)));
+                                        ghost_tau(size),
+                                        step.damping));
           }
       }
     Assert(face == faces.end(), ExcInternalError());
@@ -175,8 +177,11 @@ namespace seiche
             {
               const unsigned int dof = dim * face.nodes[b] + i;
               const double       u   = state.displacement().local_element(dof);
-              jump[b]                = coefficient.acceleration *
-                        (step.inertia * u + inertia_offset->local_element(dof));
+              jump[b] =
+                coefficient.acceleration *
+                  (step.inertia * u + inertia_offset->local_element(dof)) +
+                coefficient.velocity *
+                  (step.rate * u + rate_offset->local_element(dof));
             }
           for (unsigned int a = 0; a < n; ++a)
             {
@@ -244,7 +249,8 @@ namespace seiche
     const auto add_face = [&](const GhostFaceMatrix<dim, degree> &face,
                               const GhostCoefficients            &coefficient) {
       matrix.add_face(face,
-                      coefficient.acceleration * step.inertia,
+                      coefficient.acceleration * step.inertia +
+                        coefficient.velocity * step.rate,
                       coefficient.pressure);
     };
     for_each_cell_and_ghost_face<degree>(add_cell, add_face);

@@ -105,7 +105,7 @@ namespace seiche
                           step.volume_recovery :
                           0.;
     c.rate_constraint = step.start_divergence * dt * dt;
-    c.viscous = c.body_force = false;
+    c.viscous = c.body_force = c.damping = false;
 
     LinearResult result;
     Vector       inertia_offset(state.velocity_start.get_partitioner());
@@ -161,6 +161,7 @@ namespace seiche
     c.inertia         = 1. / (dt * dt);
     c.rate            = 0.;
     c.volume_recovery = 0.;
+    c.damping         = false;
     c.rate_constraint = dt * dt;
 
     Vector zero(state.velocity_n.get_partitioner());

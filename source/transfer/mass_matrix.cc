@@ -93,7 +93,8 @@ namespace seiche
       [&](const unsigned int lower,
           const unsigned int upper,
           const unsigned int direction) {
-        face_matrix.evaluate({lower, upper, direction}, occupancy);
+        face_matrix.evaluate({lower, upper, direction, /*thin=*/false},
+                             occupancy);
         const unsigned int n = face_matrix.n_nodes;
         const double       factor =
           (fill.is_cut(lower) || fill.is_cut(upper) ? ghost_factor :

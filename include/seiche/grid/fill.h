@@ -14,6 +14,7 @@ namespace seiche
     unsigned int lower;     ///< local cell on the lower side
     unsigned int upper;     ///< local cell on the upper side
     unsigned int direction; ///< of the normal
+    bool         thin;      ///< one of the cells is thin
   };
 
   /**
@@ -49,6 +50,12 @@ namespace seiche
     is_cut(const unsigned int cell) const
     {
       return flags[cell] & cut;
+    }
+
+    bool
+    is_thin(const unsigned int cell) const
+    {
+      return flags[cell] & thin;
     }
 
     bool
@@ -102,9 +109,10 @@ namespace seiche
   private:
     enum Flag : unsigned char
     {
-      cut = 1,   ///< occupied, and a vertex neighbour inside the domain is
-                 ///< not, or the fluid has left a unilateral wall
-      sliver = 2 ///< weight below one, and point volume below 0.3
+      cut = 1,    ///< occupied, and a vertex neighbour inside the domain is
+                  ///< not, or the fluid has left a unilateral wall
+      thin   = 2, ///< cut, and point volume below 0.7 of the cell
+      sliver = 4  ///< weight below one, and point volume below 0.3
     };
 
     /// True if a unilateral wall of the cell has little fluid beside it: it

@@ -30,6 +30,7 @@ namespace seiche
     double volume_recovery = 1.; ///< [-] theta_J: doc/notation.md
     bool   viscous         = true;
     bool   body_force      = true;
+    bool   damping         = true; ///< ghost penalty on velocity jumps
     /// [-] div v_0 = this dt tr(l l) fits the scheme: v_0 and v_1 then have the
     /// same divergence in their own configurations (doc/theory.md).
     double start_divergence = 0.;
