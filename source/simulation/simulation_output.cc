@@ -10,6 +10,12 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Of the energy at the start; more is no error of a scheme that is stable.
+    constexpr double suspicious_energy = 1.1;
+  } // namespace
+
   template <int dim>
   std::string
   Simulation<dim>::description() const
@@ -71,12 +77,15 @@ namespace seiche
       statistics.set(names[i], values[i]);
     scene.postprocessors.execute(view, statistics);
     statistics.end_row();
+    const double energy = scene.postprocessors.relative_energy();
     if (step > 0)
-      report.progress(time,
-                      dt,
-                      effort.newton,
-                      effort.krylov,
-                      scene.postprocessors.relative_energy());
+      report.progress(time, dt, effort.newton, effort.krylov, energy);
+    const bool is_isolated =
+      body_force.is_constant() && !step_solver.walls_move();
+    if (is_isolated && energy > suspicious_energy)
+      report.warn("the energy is more than 10 % above that at the start: the "
+                  "run is unstable or far too coarse",
+                  fmt::format("t = {:.6g} s, {:.3g} times", time, energy));
   }
 
   template <int dim>

@@ -44,6 +44,7 @@ class Stub:
 
     def run(self, arguments, folder):
         self.runs += 1
+        assert os.path.isabs(folder), "codes run in another folder"
         if self.problem is not None:
             raise self.problem
         write_curves(folder, {"t": [0.0, 1.0], "front": [0.0, float(arguments[0])]})
@@ -121,6 +122,14 @@ def check_only(bench):
         assert stop.code == 2
     else:
         raise AssertionError("a pattern without runs is accepted")
+
+
+def check_folder(bench):
+    os.chdir(bench.folder)
+    bench.folder = "below"
+    code, table, messages = bench()
+    assert code == 0 and len(rows(table)) == 3, messages
+    os.chdir(os.path.dirname(os.getcwd()))
 
 
 def check_numbers(bench):

@@ -61,6 +61,13 @@ namespace seiche
           const double    share,
           const bool      is_repeated);
 
+    /// True if walls move and so may give energy to the fluid.
+    bool
+    walls_move() const
+    {
+      return wall_motion.any() || wall_velocity.any();
+    }
+
     /// Iterations of the last attempt.
     const NewtonResult &
     effort() const
