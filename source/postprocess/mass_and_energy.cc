@@ -10,7 +10,7 @@ namespace seiche
 
   namespace
   {
-    /// Quantities summed over the points: six scalars, then momentum and
+    /// Quantities summed over the points: five scalars, then momentum and
     /// angular momentum.
     enum Summand : unsigned int
     {

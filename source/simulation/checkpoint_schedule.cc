@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/checkpoint_schedule.h>
 #include <seiche/utilities/stop_signal.h>
+#include <seiche/utilities/timer_tree.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <unistd.h>
 
-#include <chrono>
-
 namespace seiche
 {
   namespace
   {
-    double
-    wall_clock()
-    {
-      return std::chrono::duration<double>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-    }
-
     /// True if the file is there; it is removed then. (At once, not when what
     /// it asks for is done: another may be made in between.)
     bool

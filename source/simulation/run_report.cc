@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
@@ -19,14 +18,6 @@ namespace seiche
 {
   namespace
   {
-    double
-    wall_clock()
-    {
-      return std::chrono::duration<double>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-    }
-
     /// "2.1 h", "3.5 min" or "25 s".
     std::string
     duration(const double seconds)

@@ -127,8 +127,6 @@ namespace seiche
       formulation->update_points(points);
     }
     time_stepper.accept();
-    newton_total += effort.newton;
-    krylov_total += effort.krylov;
     material_is_found = points_are_controlled = false;
     return true;
   }
@@ -194,6 +192,8 @@ namespace seiche
                                                   time_stepper.is_repeated());
     effort.newton += step_solver.effort().iterations;
     effort.krylov += step_solver.effort().krylov_iterations;
+    newton_total += step_solver.effort().iterations;
+    krylov_total += step_solver.effort().krylov_iterations;
     if (!problem.empty())
       return problem;
     const TimerTree::Scope scope(timer, "acceptance");

@@ -93,11 +93,9 @@ namespace seiche
   Simulation<dim>::finish()
   {
     nlohmann::ordered_json summary;
-    summary["program_version"] = program_version;
-    summary["dim"]             = dim;
-    summary["ranks"]           = Utilities::MPI::n_mpi_processes(communicator);
-    summary["points"]          = points.n_global();
-    summary["cells"]           = grid.triangulation.n_global_active_cells();
+    summary["dim"]                = dim;
+    summary["points"]             = points.n_global();
+    summary["cells"]              = grid.triangulation.n_global_active_cells();
     summary["occupied_cells_max"] = occupied_max;
     summary["work_imbalance"]     = mesh_adaptation.imbalance();
     summary["points_put_back"]    = points.n_put_back();

@@ -16,21 +16,22 @@ namespace seiche
     const StabilizationParameters &vms     = scene.formulation.stabilization;
     const unsigned int enough_points       = dim == 2 ? 4 : 2; // a direction
     const double       enough_tau2         = 0.5;
+    const bool         is_mixed            = scene.formulation.is_mixed();
+    const bool         has_subscales = is_mixed && vms.stabilization != "none";
     const std::vector<std::pair<bool, std::string>> table = {
       {scene.formulation.degree > 1,
        "Formulation/Element degree = 1 (fluid that breaks up needs it)"},
       {surface.point_inertia < 1., "Free surface/Point inertia = 1"},
       {!surface.sliver_treatment, "Free surface/Sliver treatment = true"},
       {surface.acceleration < 0.1, "Free surface/Ghost acceleration = 0.1"},
-      {scene.formulation.is_mixed() && surface.pressure < 0.1,
-       "Free surface/Ghost pressure = 0.1"},
+      {is_mixed && surface.pressure < 0.1, "Free surface/Ghost pressure = 0.1"},
       {surface.velocity < 0.1, "Free surface/Ghost velocity = 0.1"},
-      {surface.velocity_time > 0.0125,
-       "Free surface/Ghost velocity time = 0.0125"},
+      {surface.velocity_time > 0.05, "Free surface/Ghost velocity time = 0.05"},
       {scene.time.control == "fixed", "Time/Step control = CFL"},
       {scene.seeding.per_direction < enough_points,
        fmt::format("Points/Per cell and direction = {}", enough_points)},
-      {scene.formulation.is_mixed() && vms.continuity_factor < enough_tau2,
+      {is_mixed && !has_subscales, "Formulation/Stabilization = ASGS"},
+      {has_subscales && vms.continuity_factor < enough_tau2,
        fmt::format("Formulation/Tau continuity factor = {}", enough_tau2)},
       {scene.time.minimum_step > 0., "a smaller Time/Minimum step"},
       {scene.newton.tolerance < NewtonParameters().tolerance,

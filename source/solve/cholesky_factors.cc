@@ -11,6 +11,7 @@ namespace seiche
     common.print      = 0;
     common.nmethods   = 1; // METIS takes longer than it saves
     common.supernodal = CHOLMOD_SIMPLICIAL;
+    common.final_ll   = 1; // LDL' would take an indefinite matrix
   }
 
   CholeskyFactors::~CholeskyFactors()

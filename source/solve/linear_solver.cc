@@ -53,12 +53,14 @@ namespace seiche
                       "direct: sparse factorisation; iterative: flexible "
                       "GMRES with AMG; automatic: by the number of unknowns",
                       Patterns::Selection("automatic|direct|iterative"));
-    prm.add_parameter("Linear tolerance",
-                      tolerance,
-                      "Residual over its first value at which the first linear "
-                      "solve of a step ends; later Newton iterations ask for "
-                      "half of what is still needed, 0.3 at most [-]",
-                      Patterns::Double(1e-15, 0.9));
+    prm.add_parameter(
+      "Linear tolerance",
+      tolerance,
+      "Residual over its first value at which the first linear "
+      "solve of a step ends; later ones end where Eisenstat and "
+      "Walker (1996) advise, at most at this or at half of the "
+      "reduction still needed, whichever is more [-]",
+      Patterns::Double(1e-15, 0.3));
     prm.add_parameter("Projection tolerance",
                       projection_tolerance,
                       "Reduction of the residual asked of the projection of "

@@ -149,14 +149,14 @@ namespace seiche
                               const unsigned int iterations,
                               const Progress    &progress) const
   {
-    const bool is_slow = progress.slow_in_row >= progress.most_slow;
-    if (iterations < parameters.maximum_iterations && !is_slow &&
-        std::isfinite(now.momentum + now.volume))
+    const bool may_go_on = iterations < parameters.maximum_iterations;
+    const bool is_slow   = progress.slow_in_row >= progress.most_slow;
+    if (may_go_on && !is_slow && std::isfinite(now.momentum + now.volume))
       return "";
     return fmt::format(
       "Newton {} after {} iterations, residuals {:.1e} and {:.1e} of their "
       "first values",
-      is_slow ? "hardly converged" : "stopped",
+      is_slow && may_go_on ? "hardly converged" : "stopped",
       iterations,
       ratio(now.momentum, first.momentum),
       ratio(now.volume, first.volume));

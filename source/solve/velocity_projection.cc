@@ -139,12 +139,13 @@ namespace seiche
           {
             find_reactions(state, guess);
             impulse += state.reaction;
-            state.reaction = impulse;
           }
         state.velocity_start.zero_out_ghost_values();
         state.velocity_start.equ(1. / dt, guess.block(0));
         state.velocity_start.update_ghost_values();
       }
+    if (with_reactions) // not what an unfinished sweep has left there
+      state.reaction = impulse;
     return result;
   }
 

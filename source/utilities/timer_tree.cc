@@ -26,12 +26,6 @@ namespace seiche
       return seconds(CLOCK_PROCESS_CPUTIME_ID);
     }
 
-    double
-    wall_clock()
-    {
-      return seconds(CLOCK_MONOTONIC);
-    }
-
     std::string
     line(const unsigned int depth,
          const std::string &name,
@@ -49,6 +43,14 @@ namespace seiche
                          wall);
     }
   } // namespace
+
+
+
+  double
+  wall_clock()
+  {
+    return seconds(CLOCK_MONOTONIC);
+  }
 
 
 

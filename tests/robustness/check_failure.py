@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A run that has to fail: check_failure.py EXIT_CODE MESSAGE[|MESSAGE...] COMMAND... --output
-FOLDER; the messages stand in what it prints or in its run.log."""
+"""A run that has to end with an exit code: check_failure.py EXIT_CODE MESSAGE[|MESSAGE...]
+COMMAND... --output FOLDER; the messages stand in this order in what it prints or in its run.log, one
+that begins with ! nowhere."""
 import pathlib
 import subprocess
 import sys
@@ -15,6 +16,12 @@ if log.exists():
 print(output)
 if result.returncode != int(code):
     sys.exit(f"exit code {result.returncode}, expected {code}")
+place = 0
 for message in messages.split("|"):
-    if message not in output:
-        sys.exit(f"no message \"{message}\"")
+    if message.startswith("!"):
+        if message[1:] in output:
+            sys.exit(f"message \"{message[1:]}\"")
+        continue
+    place = output.find(message, place)
+    if place < 0:
+        sys.exit(f"no message \"{message}\" (in this place)")

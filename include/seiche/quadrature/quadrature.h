@@ -119,7 +119,7 @@ namespace seiche
     linear
   };
 
-  /// The table of rules: "material points" (the founding paper's) and
+  /// Makes the rule: "material points" (the founding paper's) and
   /// "hybrid" (Gauss points in full cells, both in cells near the surface,
   /// weighted by Fill). @p ratio: what Gauss points have as volume_ratio.
   /// References must outlive the object.

@@ -27,8 +27,9 @@ namespace seiche
     CholeskyFactors &
     operator=(const CholeskyFactors &) = delete;
 
-    /// Factorise; false if the matrix is not positive definite. The order of
-    /// elimination of the matrix before serves if that had the same number of
+    /// Factorise; false, and empty, if the matrix is not positive definite. The
+    /// order of elimination of the matrix before serves if that had the same
+    /// number of
     /// rows and @p numbering: a third of the work on a new one goes into it.
     bool
     initialize(LowerTriangle &matrix, const unsigned int numbering);

@@ -9,6 +9,10 @@
 
 namespace seiche
 {
+  /// Seconds [s] of a clock that never goes back, from an arbitrary start.
+  double
+  wall_clock();
+
   /**
    * @brief Nested timings in processor and wall seconds of this rank.
    *
