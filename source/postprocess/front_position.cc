@@ -181,8 +181,39 @@ namespace seiche
   {}
 
   template <int dim>
-  double
-  WaterLevel<dim>::area(const Point<dim> &position, const double width) const
+  bool
+  WaterLevel<dim>::stands_on_bottom(const Obstacle &obstacle) const
+  {
+    const double bottom = box.lower_corner[dim - 1];
+    return obstacle.lower_corner[dim - 1] <=
+           bottom + 1e-9 * (box.upper_corner[dim - 1] - bottom);
+  }
+
+  template <int dim>
+  bool
+  WaterLevel<dim>::is_over_obstacle(const Point<dim> &place) const
+  {
+    const auto is_inside = [&place](const Obstacle &obstacle) {
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        {
+          const double lower = obstacle.lower_corner[d],
+                       upper = obstacle.upper_corner[d],
+                       edge  = 1e-9 * (upper - lower);
+          if (place[d] < lower + edge || place[d] > upper - edge)
+            return false;
+        }
+      return true;
+    };
+    for (const auto &obstacle : box.obstacles)
+      if (stands_on_bottom(obstacle) && is_inside(obstacle))
+        return true;
+    return false;
+  }
+
+  template <int dim>
+  typename WaterLevel<dim>::Footprint
+  WaterLevel<dim>::footprint(const Point<dim> &position,
+                             const double      width) const
   {
     const auto under = [&](const Point<dim> &lower, const Point<dim> &upper) {
       double result = 1.;
@@ -193,14 +224,15 @@ namespace seiche
                                std::min(upper[d], box.upper_corner[d]));
       return result;
     };
-    double result = under(box.lower_corner, box.upper_corner);
-    for (const auto &obstacle : box.obstacles)
-      if (obstacle.lower_corner[dim - 1] <=
-          box.lower_corner[dim - 1] +
-            1e-9 * (box.upper_corner[dim - 1] - box.lower_corner[dim - 1]))
-        result -= under(obstacle.lower_corner, obstacle.upper_corner);
-    // a gauge on an obstacle sees what is above it
-    return result > 0. ? result : under(box.lower_corner, box.upper_corner);
+    const double whole    = under(box.lower_corner, box.upper_corner);
+    double       obstacle = 0.;
+    for (const auto &o : box.obstacles)
+      if (stands_on_bottom(o))
+        obstacle += under(o.lower_corner, o.upper_corner);
+    // between two obstacles that touch there is nothing but round-off
+    const bool on_obstacle =
+      is_over_obstacle(position) || whole - obstacle < 1e-9 * whole;
+    return {on_obstacle, on_obstacle ? obstacle : whole - obstacle};
   }
 
   template <int dim>
@@ -219,7 +251,7 @@ namespace seiche
         std::array<const double *, dim - 1> x;
         for (unsigned int d = 0; d + 1 < dim; ++d)
           x[d] = view.points.data(PointColumn::position, d);
-        const double whole = area(gauges[g].position, width);
+        const Footprint foot = footprint(gauges[g].position, width);
         for (std::size_t i = 0; i < view.points.size(); ++i)
           {
             double weight = 1.;
@@ -229,7 +261,9 @@ namespace seiche
             if (weight > 0.)
               {
                 level[g] = std::max(level[g], height[i]);
-                depth[g] += weight * volume[i] / whole;
+                if (is_over_obstacle(view.points.position(i)) ==
+                    foot.on_obstacle)
+                  depth[g] += weight * volume[i] / foot.area;
               }
           }
       }

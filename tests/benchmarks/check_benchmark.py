@@ -69,12 +69,13 @@ class Bench:
         harness.write_plot = lambda *arguments: None
 
     def __call__(self, *options):
-        """(exit code, table, messages)"""
+        """(exit code, table or "", messages)"""
         sys.argv = ["benchmark", "--output", self.folder, *options]
         messages = io.StringIO()
         with contextlib.redirect_stderr(messages), contextlib.redirect_stdout(io.StringIO()):
             code = harness.main()
-        return code, (pathlib.Path(self.folder) / "case.md").read_text(), messages.getvalue()
+        table = pathlib.Path(self.folder) / "case.md"
+        return code, table.read_text() if table.is_file() else "", messages.getvalue()
 
 
 def rows(table):
@@ -103,7 +104,8 @@ def check_failures(bench):
     for problem in (RunFailed("as a test"), KeyError("steps"), TypeError("missing")):
         bench.code.problem = problem
         code, table, messages = bench("--fresh")
-        assert code == 1 and not rows(table), f"old results after a failure:\n{table}"
+        assert code == 1 and not table, f"old results after a failure:\n{table}"
+        assert "nothing has been measured" in messages, messages
         assert "stub h 1" in messages and "other h 1" in messages, messages
     bench.code.problem = None
     code, table, _ = bench()
@@ -129,6 +131,10 @@ def check_folder(bench):
     bench.folder = "below"
     code, table, messages = bench()
     assert code == 0 and len(rows(table)) == 3, messages
+    pathlib.Path("file").touch()
+    bench.folder = "file"
+    code, _, messages = bench()
+    assert code == 2 and messages.count("\n") == 1, messages
     os.chdir(os.path.dirname(os.getcwd()))
 
 

@@ -91,7 +91,8 @@ namespace seiche
    * volume of water per area, which a single drop hardly changes, with weights
    * that fall linearly to zero at that distance (with equal weights the depth
    * of still water depended on where the gauge stood between the points).
-   * Vertical is the last direction.
+   * Beside an obstacle that stands on the bottom, water and area beside it
+   * count; on it, those over it. Vertical is the last direction.
    */
   template <int dim>
   class WaterLevel : public Postprocessor<dim>
@@ -105,10 +106,24 @@ namespace seiche
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 
   private:
-    /// Integral of a gauge's weights over the domain without the obstacles
-    /// that stand on the bottom [m^(dim-1)].
-    double
-    area(const dealii::Point<dim> &position, const double width) const;
+    using Obstacle = typename GridParameters<dim>::Obstacle;
+
+    /// What a gauge sees from above.
+    struct Footprint
+    {
+      bool   on_obstacle; ///< that alone, else only what is beside obstacles
+      double area;        ///< integral of the weights over that [m^(dim-1)]
+    };
+
+    Footprint
+    footprint(const dealii::Point<dim> &position, const double width) const;
+
+    bool
+    stands_on_bottom(const Obstacle &obstacle) const;
+
+    /// True over an obstacle that stands on the bottom, its edges left out.
+    bool
+    is_over_obstacle(const dealii::Point<dim> &place) const;
 
     const std::vector<GaugeParameters<dim>> gauges;
     const GridParameters<dim>              &box;
