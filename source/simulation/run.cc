@@ -51,12 +51,13 @@ namespace seiche
 
       const double steps =
         std::ceil(std::max(0., scene.time.end_time / scene.time.step - 1e-9));
-      return fmt::format("{} is valid: {}D, {} cells, {} points, about {} "
+      return fmt::format("{} is valid: {}D, {} cells, {} points, {} {} "
                          "steps\n",
                          scene.input.filename,
                          dim,
                          grid.triangulation.n_global_active_cells(),
                          points.n_global(),
+                         scene.time.is_controlled() ? "at least" : "about",
                          steps);
     }
 

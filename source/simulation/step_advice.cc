@@ -27,7 +27,7 @@ namespace seiche
       {is_mixed && surface.pressure < 0.1, "Free surface/Ghost pressure = 0.1"},
       {surface.velocity < 0.1, "Free surface/Ghost velocity = 0.1"},
       {surface.velocity_time > 0.05, "Free surface/Ghost velocity time = 0.05"},
-      {scene.time.control == "fixed", "Time/Step control = CFL"},
+      {!scene.time.is_controlled(), "Time/Step control = CFL"},
       {scene.seeding.per_direction < enough_points,
        fmt::format("Points/Per cell and direction = {}", enough_points)},
       {is_mixed && !has_subscales, "Formulation/Stabilization = ASGS"},

@@ -132,8 +132,7 @@ namespace seiche
   TimeStepper::next_step(const double speed_per_cell)
   {
     limit = parameters.step;
-    if (parameters.control != "fixed" &&
-        speed_per_cell * limit > parameters.cfl)
+    if (parameters.is_controlled() && speed_per_cell * limit > parameters.cfl)
       limit = parameters.cfl / speed_per_cell;
     dt = std::max(reduction * limit, smallest_step());
     if (parameters.controls_error())

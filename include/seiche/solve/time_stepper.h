@@ -39,6 +39,11 @@ namespace seiche
       return projection == "each step";
     }
     bool
+    is_controlled() const
+    {
+      return control != "fixed";
+    }
+    bool
     controls_error() const
     {
       return control == "error";
