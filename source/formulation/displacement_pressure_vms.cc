@@ -61,14 +61,15 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     const Tau              tau     = this->tau(cell);
-    const bool             splits  = this->stabilization.is_split;
+    const ResidualParts    parts =
+      this->stabilization.residual_parts(cell.orthogonal);
     PointKinematics<dim, degree, Lanes> point;
     Lanes residual_u[dim][n_nodes] = {}, residual_p[n_nodes] = {};
     for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
       {
         point.evaluate(cell, q, /*with_end=*/false);
         const VMSPointState<dim, degree, Lanes> state(
-          cell, point, q, this->material, tau, splits);
+          cell, point, q, this->material, tau, parts);
         MomentumTerms<dim, degree>::add_residual(
           cell,
           point,
@@ -130,7 +131,8 @@ namespace seiche
     const double theta            = cell.coefficients.theta;
     const double kappa            = this->material.bulk_modulus;
     const double weight_g         = 1. - tau.continuity / kappa;
-    const bool   splits           = this->stabilization.is_split;
+    const ResidualParts parts =
+      this->stabilization.residual_parts(cell.orthogonal);
     const double negligible_force = this->negligible_force(cell, tau);
     PointKinematics<dim, degree, Lanes> point;
     for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
@@ -139,7 +141,7 @@ namespace seiche
           std::min(n_lanes_of_register, cell.quadrature.size - q);
         point.evaluate(cell, q, /*with_end=*/true);
         const VMSPointState<dim, degree, Lanes> state(
-          cell, point, q, this->material, tau, splits);
+          cell, point, q, this->material, tau, parts);
         Lanes h[dim][n_nodes]; // d(constraint)/du
         state.constraint_slope(cell, point, h);
         MomentumTerms<dim, degree>::add_tangent(cell,
@@ -161,9 +163,9 @@ namespace seiche
         Lanes       inertia[n_nodes]; // rho C_a of the momentum residual
         for (unsigned int a = 0; a < n_nodes; ++a)
           inertia[a] =
-            state.is_split ?
-              Lanes(0.) :
-              fine * state.rho_t * cell.coefficients.inertia * point.N[a];
+            parts.inertia ?
+              fine * state.rho_t * cell.coefficients.inertia * point.N[a] :
+              Lanes(0.);
         PressureTerms<dim, degree>::add_couplings(cell,
                                                   point,
                                                   n_points,
@@ -182,7 +184,7 @@ namespace seiche
                                                 state.pressure_gradient,
                                                 state.momentum_residual);
         if constexpr (degree > 1)
-          if (viscosity != 0. && !cell.sliver && !state.is_split)
+          if (viscosity != 0. && !cell.sliver && parts.force)
             {
               Lanes derivative[dim][dim][n_nodes];
               state.stress_divergence_derivative(cell,
@@ -223,14 +225,15 @@ namespace seiche
   {
     cell.clear_residual();
     const Tau                    tau    = this->tau(cell);
-    const bool                   splits = this->stabilization.is_split;
+    const ResidualParts          parts =
+      this->stabilization.residual_parts(cell.orthogonal);
     const bool                   lumped = this->stabilization.projects_lumped;
     PointKinematics<dim, degree> point;
     for (unsigned int q = 0; q < cell.quadrature.size; ++q)
       {
         point.evaluate(cell, q, /*with_end=*/false);
         const VMSPointState<dim, degree> state(
-          cell, point, q, this->material, tau, splits);
+          cell, point, q, this->material, tau, parts);
         for (unsigned int a = 0; a < cell.n_nodes; ++a)
           {
             const double weight = cell.quadrature.volume[q] *

@@ -47,9 +47,10 @@ namespace seiche
     constexpr unsigned int         n_nodes = CellData<dim, degree>::n_nodes;
     const SliverMeans<dim, degree> mean(cell);
     Tensor<1, dim>                 force = mean.body_force;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        force[i] -= mean.N[a] * cell.acceleration[i][a];
+    if (this->stabilization.residual_parts(/*orthogonal=*/false).inertia)
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          force[i] -= mean.N[a] * cell.acceleration[i][a];
     force *= mean.mass / mean.volume;
 
     for_each_gauss_gradient<dim, degree>(
@@ -73,7 +74,10 @@ namespace seiche
   {
     constexpr unsigned int         n_nodes = CellData<dim, degree>::n_nodes;
     const SliverMeans<dim, degree> mean(cell);
-    const double inertia = mean.mass / mean.volume * cell.coefficients.inertia;
+    const double inertia =
+      this->stabilization.residual_parts(/*orthogonal=*/false).inertia ?
+        mean.mass / mean.volume * cell.coefficients.inertia :
+        0.;
     for_each_gauss_gradient<dim, degree>(
       cell.extent,
       [&](const double(&gradient)[dim][n_nodes], const double weight) {

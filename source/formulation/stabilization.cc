@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/formulation/stabilization.h>
+#include <seiche/parameters/input_file.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
@@ -97,6 +98,13 @@ namespace seiche
                       "OSGS (its part orthogonal to the finite elements), "
                       "split OSGS (of the pressure gradient only) or none [-]",
                       Patterns::Selection("ASGS|OSGS|split OSGS|none"));
+    prm.add_parameter("Subscale residual",
+                      subscale_residual,
+                      "What the momentum's subscale resolves with ASGS and "
+                      "OSGS: the whole residual, or body force, viscous force "
+                      "and pressure gradient without inertia, as in the code "
+                      "of the founding paper for fluids [-]",
+                      Patterns::Selection("whole|without inertia"));
     prm.add_parameter("Projection updates",
                       projection_updates,
                       "OSGS: Newton iterations of a step after which the "
@@ -147,12 +155,25 @@ namespace seiche
     prm.leave_subsection();
   }
 
+  void
+  StabilizationParameters::check(const InputFile &input) const
+  {
+    input.require(subscale_residual == "whole" || stabilization == "ASGS" ||
+                    stabilization == "OSGS",
+                  "Formulation/Subscale residual",
+                  "without inertia chooses what the subscales of "
+                  "Stabilization = ASGS or OSGS resolve; " +
+                    stabilization +
+                    " has no such choice: set Subscale residual = whole");
+  }
+
   Stabilization::Stabilization(const StabilizationParameters &p)
     : parameters(p)
     , is_active(p.stabilization != "none")
-    , is_split(p.is_split())
     , projects_lumped(p.projects_lumped())
     , tau_is_uniform(tau_entry(p.tau).is_uniform)
+    , is_split(p.is_split())
+    , has_inertia(p.subscale_residual == "whole")
     , inverse_tau(*tau_entry(p.tau).inverse)
   {}
 

@@ -360,7 +360,9 @@ namespace seiche
                             "occupied_cells_max",
                             "end_time",
                             "steps",
-                            "rejected_steps"})
+                            "rejected_steps",
+                            "accepted_failing_steps",
+                            "points_held_back"})
       if (summary.contains(key))
         test_line(fmt::format("{} {}", key, rounded(summary[key])));
 

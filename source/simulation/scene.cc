@@ -80,6 +80,7 @@ namespace seiche
     body_force.check(input_file);
     fluid.check(input_file);
     seeding.check(input_file);
+    formulation.stabilization.check(input_file);
     time.check(input_file);
     transfer.check(input_file, formulation.degree, seeding.per_direction);
     unsigned int per_cell = 1;

@@ -123,8 +123,7 @@ namespace seiche
       }
     {
       const TimerTree::Scope scope_back(timer, "grid to points");
-      transfer.grid_to_points(state, points);
-      formulation->update_points(points);
+      move_points();
     }
     time_stepper.accept();
     material_is_found = points_are_controlled = false;
@@ -197,9 +196,33 @@ namespace seiche
     if (!problem.empty())
       return problem;
     const TimerTree::Scope scope(timer, "acceptance");
-    const double           limit = scene.time.maximum_displacement -
-                         step_solver.wall_way(state.time, state.dt);
-    return transfer.check(state, points, limit).problem(limit);
+    const double           limit = largest_way();
+    return transfer.check(state, points, limit)
+      .problem(limit, scene.time.accepts_failing_steps());
+  }
+
+  template <int dim>
+  double
+  Simulation<dim>::largest_way() const
+  {
+    return scene.time.maximum_displacement -
+           step_solver.wall_way(state.time, state.dt);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::move_points()
+  {
+    const bool        accepts = scene.time.accepts_failing_steps();
+    const std::size_t n_held =
+      transfer.grid_to_points(state,
+                              points,
+                              accepts ? largest_way() :
+                                        std::numeric_limits<double>::infinity());
+    formulation->update_points(points);
+    if (accepts)
+      accepted_failures.account(
+        step_solver.effort(), n_held, state.time, communicator, report);
   }
 
   template <int dim>

@@ -105,6 +105,8 @@ namespace seiche
     summary["rejected_steps"]     = time_stepper.rejected();
     if (scene.time.controls_error())
       summary["time_error"] = time_stepper.error();
+    if (scene.time.accepts_failing_steps())
+      accepted_failures.summarize(summary);
     summary["newton_iterations"] = newton_total;
     summary["krylov_iterations"] = krylov_total;
     for (const auto &[name, value] : point_control.account())

@@ -49,6 +49,8 @@ namespace seiche
     archive("unknowns", unknowns_max);
     archive("points are controlled", points_are_controlled);
     archive.section("time", [&]() { time_stepper.save_or_load(archive); });
+    archive.section("accepted failures",
+                    [&]() { accepted_failures.save_or_load(archive); });
     archive.section("points", [&]() { points.save_or_load(archive); });
     archive.section("point control",
                     [&]() { point_control.save_or_load(archive); });

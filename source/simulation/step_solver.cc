@@ -133,9 +133,10 @@ namespace seiche
       wall_contact.begin_iteration(step, rate_offset);
       assembler.begin(step, state.time, inertia_offset, rate_offset);
       const unsigned int of_projection = last.krylov_iterations;
-      last = newton.solve(state, /*gives_up_early=*/!is_repeated);
+      const bool accepts = scene.time.accepts_failing_steps();
+      last = newton.solve(state, /*gives_up_early=*/!is_repeated && !accepts);
       last.krylov_iterations += of_projection;
-      if (!last.converged)
+      if (!last.converged && !(accepts && last.is_usable))
         return last.failure;
     }
     time_scheme.finish(state);

@@ -224,6 +224,7 @@ namespace seiche
     while (true)
       {
         const bool is_finite = std::isfinite(now.momentum + now.volume);
+        result.is_usable     = is_finite && result.iterations > 0;
         if (is_finite && (result.iterations > 0 || is_small()) &&
             contact.correct(state))
           {

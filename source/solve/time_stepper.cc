@@ -87,6 +87,17 @@ namespace seiche
                       "A step that moves a point farther is repeated with "
                       "half its size [cells]",
                       Patterns::Double(1e-3, 1.));
+    prm.add_parameter("Failing steps",
+                      failing_steps,
+                      "What becomes of a step whose Newton iteration does not "
+                      "converge, or that crushes a point or moves it farther "
+                      "than Maximum displacement. repeated: with half its "
+                      "size. accepted: as in the code of the founding paper, "
+                      "Newton's last iterate is taken, a point goes only the "
+                      "part of its way on which its volume stays positive, and "
+                      "summary.json counts both; without a usable iterate the "
+                      "step is repeated all the same",
+                      Patterns::Selection("repeated|accepted"));
     prm.add_parameter("Velocity projection",
                       projection,
                       "When the start velocity is made to satisfy the "
@@ -107,6 +118,11 @@ namespace seiche
     input.require(minimum_step <= step,
                   "Time/Minimum step",
                   "it must not exceed Time/Step");
+    input.require(!(accepts_failing_steps() && controls_error()),
+                  "Time/Failing steps",
+                  "the error of a step that has not converged says nothing "
+                  "about the step size: set it to repeated, or Step control "
+                  "to fixed or CFL");
   }
 
   TimeStepper::TimeStepper(const TimeStepParameters &p, const std::string &a)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/transfer/held_points.h>
 #include <seiche/transfer/point_arrays.h>
 #include <seiche/transfer/point_block.h>
 #include <seiche/transfer/transfer.h>
@@ -202,12 +203,15 @@ namespace seiche
 
 
   template <int dim>
-  void
+  std::size_t
   Transfer<dim>::grid_to_points(const GridState<dim> &state,
-                                PointCloud<dim>      &points) const
+                                PointCloud<dim>      &points,
+                                const double          held_beyond) const
   {
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
-      this->template move_points<degree>(state, points);
+    return with_degree(occupancy.fe.degree, [&](const auto degree) {
+      return this->template move_points<degree>(state,
+                                                points,
+                                                HeldPoints<dim>(held_beyond));
     });
   }
 
@@ -303,9 +307,10 @@ namespace seiche
 
   template <int dim>
   template <int degree>
-  void
-  Transfer<dim>::move_points(const GridState<dim> &state,
-                             PointCloud<dim>      &points) const
+  std::size_t
+  Transfer<dim>::move_points(const GridState<dim>  &state,
+                             PointCloud<dim>       &points,
+                             const HeldPoints<dim> &held) const
   {
     const PointArrays<dim, PointCloud<dim>> arrays(points);
     const CellLocator<dim>                 &locator = points.locator;
@@ -322,6 +327,7 @@ namespace seiche
       mean_volume ? nodal_volume_change(fill, points, state) :
                     typename GridState<dim>::Vector();
     Block<dim, degree> block;
+    std::size_t        n_held = 0;
     for_each_block(
       occupancy,
       points,
@@ -352,13 +358,18 @@ namespace seiche
                      locator.lower_corner(cell),
                      locator.extent(cell));
         double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes];
-        double det[n_lanes], result[n_lanes];
+        double det[n_lanes], way[dim][n_lanes], result[n_lanes];
         block.field_gradient(u, /*add_identity=*/true, F);
+        for (unsigned int c = 0; c < dim; ++c)
+          block.value(u.values[c], way[c]);
+        if (held.any_may_be())
+          n_held += held.shorten(F, way, locator.reach(cell), n_filled);
         determinant_and_cofactors<dim>(F, det, cofactor);
         if (mean_volume)
           block.value(volume_nodal, result);
         for (unsigned int l = 0; l < n_filled; ++l)
-          arrays.volume_ratio[first + l] *= mean_volume ? result[l] : det[l];
+          arrays.volume_ratio[first + l] *=
+            held.bounded(mean_volume ? result[l] : det[l]);
         rule.update(block, arrays, first, n_filled);
         if (arrays.gradient[0] != nullptr)
           update_gradient<dim, degree>(block,
@@ -376,12 +387,10 @@ namespace seiche
               arrays.pressure[first + l] = result[l];
           }
         for (unsigned int c = 0; c < dim; ++c)
-          {
-            block.value(u.values[c], result);
-            for (unsigned int l = 0; l < n_filled; ++l)
-              arrays.position[c][first + l] += result[l];
-          }
+          for (unsigned int l = 0; l < n_filled; ++l)
+            arrays.position[c][first + l] += way[c][l];
       });
+    return n_held;
   }
 
 
@@ -394,8 +403,12 @@ namespace seiche
   Transfer<3>::check(const GridState<3> &,
                      const PointCloud<3> &,
                      const double) const;
-  template void
-  Transfer<2>::grid_to_points(const GridState<2> &, PointCloud<2> &) const;
-  template void
-  Transfer<3>::grid_to_points(const GridState<3> &, PointCloud<3> &) const;
+  template std::size_t
+  Transfer<2>::grid_to_points(const GridState<2> &,
+                              PointCloud<2> &,
+                              const double) const;
+  template std::size_t
+  Transfer<3>::grid_to_points(const GridState<3> &,
+                              PointCloud<3> &,
+                              const double) const;
 } // namespace seiche

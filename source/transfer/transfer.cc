@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
+#include <seiche/transfer/held_points.h>
 #include <seiche/transfer/transfer.h>
 
 #include <deal.II/base/exceptions.h>
@@ -153,12 +154,12 @@ namespace seiche
 
 
   std::string
-  StepCheck::problem(const double limit) const
+  StepCheck::problem(const double limit, const bool holds_points) const
   {
-    // below this a cell folds over soon; numerics in doc/theory.md
-    constexpr double least_det_F = 0.2;
     if (!finite)
       return "a point's new position or velocity is not finite";
+    if (holds_points)
+      return "";
     if (min_det_F < least_det_F)
       return fmt::format("a point's volume changes by the factor {:.3g}",
                          min_det_F);

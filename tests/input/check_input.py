@@ -276,6 +276,14 @@ GEOMETRY = [
          **added("subsection Time\n  set Step control = error\n"
                  "  set Rho infinity = 0.5\nend\n"),
          line=LAST + 2, expect=['"Step control" in "Time"', "Rho infinity"]),
+    Case("step control by the error of steps that may have failed",
+         **added("subsection Time\n  set Step control = error\n"
+                 "  set Failing steps = accepted\nend\n"),
+         line=LAST + 3, expect=['"Failing steps" in "Time"', "Step control"]),
+    Case("a subscale residual without subscales",
+         **added("subsection Formulation\n  set Stabilization = none\n"
+                 "  set Subscale residual = without inertia\nend\n"),
+         line=LAST + 3, expect=['"Subscale residual" in "Formulation"', "whole"]),
     Case("a grid line beside the face of an obstacle",
          "  set Cell size    = 0.1",
          "  set Cell size    = 0.1\n  set Break points x = 0.4999", line=6,

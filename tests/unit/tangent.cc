@@ -166,6 +166,7 @@ namespace
     CellData<dim, degree> cell;
     for (const char *name : {"displacement-pressure", "displacement"})
       for (const char *stabilization : {"ASGS", "none", "OSGS", "split OSGS"})
+        for (const char *residual : {"whole", "without inertia"})
         for (const char *tau : {"transient", "paper", "root of squares"})
           for (const double viscosity : {0., 0.7})
             for (const double kappa : {50., infinite})
@@ -176,7 +177,14 @@ namespace
                     parameters.name                        = name;
                     parameters.stabilization.stabilization = stabilization;
                     parameters.stabilization.tau           = tau;
+                    parameters.stabilization.subscale_residual = residual;
                     if (!parameters.is_mixed() && std::isinf(kappa))
+                      continue;
+                    const bool has_choice =
+                      parameters.is_mixed() &&
+                      (stabilization == std::string("ASGS") ||
+                       stabilization == std::string("OSGS"));
+                    if (residual != std::string("whole") && !has_choice)
                       continue;
                     if (tau != std::string("transient") &&
                         stabilization != std::string("ASGS"))
@@ -192,7 +200,11 @@ namespace
                     const double error = tangent_error(*formulation, cell);
                     std::cout
                       << dim << "D Q" << degree << ' ' << name << ' '
-                      << stabilization << ' ' << tau << " mu " << viscosity
+                      << stabilization << ' '
+                      << (residual == std::string("whole") ?
+                            "" :
+                            "(without inertia) ")
+                      << tau << " mu " << viscosity
                       << " kappa " << kappa << " theta " << theta
                       << (sliver ? " sliver, logarithmic, J at theta" : "")
                       << ": " << (error < 1e-6 ? "exact" : "WRONG") << '\n';

@@ -13,6 +13,8 @@ namespace dealii
 
 namespace seiche
 {
+  class InputFile;
+
   /// Stabilization parameters of one cell, frozen during Newton's iteration.
   struct Tau
   {
@@ -32,6 +34,13 @@ namespace seiche
     double                  speed; ///< at the cell's centre [m/s]
   };
 
+  /// What the momentum's subscale sees beside the pressure gradient.
+  struct ResidualParts
+  {
+    bool force   = true; ///< body force and viscous force
+    bool inertia = true;
+  };
+
   /**
    * @brief prm entries of the variational multiscale terms (subsection
    * "Formulation").
@@ -39,6 +48,7 @@ namespace seiche
   struct StabilizationParameters
   {
     std::string  stabilization      = "ASGS";
+    std::string  subscale_residual  = "whole";
     unsigned int projection_updates = 6;
     std::string  projection_mass    = "lumped";
     std::string  tau                = "transient";
@@ -51,6 +61,8 @@ namespace seiche
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(const InputFile &input) const;
 
     /// True if the subscales are orthogonal to the finite elements.
     bool
@@ -86,8 +98,16 @@ namespace seiche
     const StabilizationParameters parameters;
 
     const bool is_active;       ///< there are subscales
-    const bool is_split;        ///< StabilizationParameters::is_split()
     const bool projects_lumped; ///< StabilizationParameters::projects_lumped()
+
+    /// Of the weak forms; @p orthogonal: in Newton's iteration with orthogonal
+    /// subscales, where the split ones see the pressure gradient alone.
+    ResidualParts
+    residual_parts(const bool orthogonal) const
+    {
+      return orthogonal && is_split ? ResidualParts{false, false} :
+                                      ResidualParts{true, has_inertia};
+    }
 
     /// tau1 is the same in all cells of a size: the pressure block is then a
     /// scaled copy of the Schur complement.
@@ -109,6 +129,8 @@ namespace seiche
     evaluate(const TauArguments &cell) const;
 
   private:
+    const bool is_split;
+    const bool has_inertia; ///< of the subscale's residual
     double (&inverse_tau)(const StabilizationParameters &,
                           const TauArguments &); ///< 1/tau1 [N/m^4]
   };

@@ -19,8 +19,7 @@ namespace seiche
   template <int dim, int degree, typename Number = double>
   struct VMSPointState
   {
-    /// r = -grad p alone: split orthogonal subscales in Newton's iteration.
-    const bool                     is_split;
+    const ResidualParts            parts; // of r
     Number                         volume_n, volume_t, rho_t;
     Number                         J_slope;       // dphi(J) = J_slope div_1 du
     Number                         constraint;    // g = phi(J) + p/kappa
@@ -42,8 +41,8 @@ namespace seiche
                   const unsigned int                    q,
                   const MaterialConstants              &material,
                   const Tau                            &tau,
-                  const bool                            splits)
-      : is_split(splits && cell.orthogonal)
+                  const ResidualParts                  &residual_parts)
+      : parts(residual_parts)
     {
       const auto &quadrature = cell.quadrature;
       // weights use the relaxed J, never the drifted one
@@ -85,15 +84,20 @@ namespace seiche
         }
       fine_pressure     = -tau.continuity * constraint;
       momentum_residual = -pressure_gradient;
-      if (!is_split)
-        momentum_residual +=
-          rho_t * (cell.template body_force_at<Number>(q) - acceleration);
+      if (parts.force)
+        {
+          dealii::Tensor<1, dim, Number> force =
+            cell.template body_force_at<Number>(q);
+          if (parts.inertia)
+            force -= acceleration;
+          momentum_residual += rho_t * force;
+        }
 
       if (viscous)
         {
           stress = material.law.stress(velocity_gradient);
           if constexpr (degree > 1)
-            if (!is_split)
+            if (parts.force)
               add_second_derivatives(cell,
                                      point,
                                      q,

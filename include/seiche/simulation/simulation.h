@@ -4,6 +4,7 @@
 
 #include <seiche/grid/mesh_adaptation.h>
 #include <seiche/grid/point_control.h>
+#include <seiche/simulation/accepted_failures.h>
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/run_report.h>
@@ -76,6 +77,14 @@ namespace seiche
     std::string
     try_step();
 
+    /// Of a point in the step [cells]: walls that move take a part of it.
+    double
+    largest_way() const;
+
+    /// The step's result to the points. Collective.
+    void
+    move_points();
+
     /// Local error of the step's displacements [cells], 0 if it is of no use
     /// or unknown.
     double
@@ -138,6 +147,7 @@ namespace seiche
     GridState<dim>                          state;
     StepSolver<dim>                         step_solver;
     TimeStepper                             time_stepper;
+    AcceptedFailures                        accepted_failures;
     StatisticsTable                         statistics;
 
     bool material_is_found     = false; ///< where the points are now

@@ -25,6 +25,7 @@ namespace seiche
   struct NewtonResult
   {
     bool         converged         = false;
+    bool         is_usable         = false; ///< a finite iterate beyond the guess
     unsigned int iterations        = 0;
     unsigned int krylov_iterations = 0;
     std::string  failure; ///< why not, for the log

@@ -25,6 +25,7 @@ namespace seiche
     double       error_tolerance      = 0.01;
     double       minimum_step         = 0.;
     double       maximum_displacement = 1.;
+    std::string  failing_steps        = "repeated";
     std::string  projection           = "each step";
     unsigned int projection_sweeps    = 1;
 
@@ -33,6 +34,12 @@ namespace seiche
     void
     check(const InputFile &input) const;
 
+    /// True if steps that have not converged are taken all the same.
+    bool
+    accepts_failing_steps() const
+    {
+      return failing_steps == "accepted";
+    }
     bool
     projects_each_step() const
     {

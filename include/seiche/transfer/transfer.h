@@ -6,12 +6,15 @@
 #include <seiche/grid/grid_state.h>
 #include <seiche/points/point_cloud.h>
 
+#include <limits>
 #include <set>
 #include <string>
 
 namespace seiche
 {
   class InputFile;
+  template <int dim>
+  class HeldPoints;
 
   /**
    * @brief The choice of transfers (prm subsection "Transfer"): one name is a
@@ -80,9 +83,10 @@ namespace seiche
     bool   finite           = true;
 
     /// Why the step must not be accepted, or empty. @p limit: largest
-    /// displacement in cells.
+    /// displacement in cells. @p holds_points: grid_to_points() holds back
+    /// those that move too far or crush their volume.
     std::string
-    problem(const double limit) const;
+    problem(const double limit, const bool holds_points) const;
   };
 
   /**
@@ -121,9 +125,14 @@ namespace seiche
     /// Position, velocity, gradient, acceleration, volume ratio and pressure
     /// of the points. (x += N u; J *= det f_1 or its nodal mean; C = grad_n
     /// v_np1 f_1^-1.) In the irreducible form the pressure is left to the
-    /// caller. Collective.
-    void
-    grid_to_points(const GridState<dim> &state, PointCloud<dim> &points) const;
+    /// caller. @p held_beyond [cells]: points that would move farther, or crush
+    /// their volume, are held back (HeldPoints); infinity: none. The number of
+    /// points held on this rank. Collective.
+    std::size_t
+    grid_to_points(const GridState<dim> &state,
+                   PointCloud<dim>      &points,
+                   const double          held_beyond =
+                     std::numeric_limits<double>::infinity()) const;
 
   private:
     /// Nodal velocities that need more than a lumped mass. Collective.
@@ -137,8 +146,10 @@ namespace seiche
                const PointCloud<dim> &points,
                const double           limit) const;
     template <int degree>
-    void
-    move_points(const GridState<dim> &state, PointCloud<dim> &points) const;
+    std::size_t
+    move_points(const GridState<dim>  &state,
+                PointCloud<dim>       &points,
+                const HeldPoints<dim> &held) const;
 
     const TransferParameters parameters;
     const TransferMethod    &method;
