@@ -125,7 +125,9 @@ namespace seiche
 
   template <int dim>
   double
-  Newton<dim>::move(GridState<dim> &state, const double before)
+  Newton<dim>::move(GridState<dim> &state,
+                    const double    before,
+                    const bool      only_nearer)
   {
     double length = 1., done = 0.;
     while (true)
@@ -135,10 +137,11 @@ namespace seiche
         state.solution.update_ghost_values();
         assembler.residual(state, residual);
         const double after = solver.norm(residual);
-        if (after < before || length <= shortest_step)
+        if (after < before || length == 0. ||
+            (length <= shortest_step && !only_nearer))
           return after;
-        done = length;
-        length *= 0.5;
+        done   = length;
+        length = length > shortest_step ? 0.5 * length : 0.;
       }
   }
 
@@ -193,7 +196,7 @@ namespace seiche
 
   template <int dim>
   NewtonResult
-  Newton<dim>::solve(GridState<dim> &state, const bool gives_up_early)
+  Newton<dim>::solve(GridState<dim> &state, const IfUnconverged then)
   {
     NewtonResult result;
     residual.reinit(state.solution);
@@ -212,8 +215,9 @@ namespace seiche
     Norms    now = first;
     Progress progress;
     progress.begin(first_forcing);
-    progress.most_slow =
-      gives_up_early ? most_slow_updates : parameters.maximum_iterations;
+    progress.most_slow = then == IfUnconverged::give_up_early ?
+                           most_slow_updates :
+                           parameters.maximum_iterations;
     progress.may_reuse = tries_with_new_tangents == 0;
     if (!progress.may_reuse)
       --tries_with_new_tangents;
@@ -263,7 +267,16 @@ namespace seiche
             return result;
           }
         residual_change    = residual; // of the old one, negative
-        const double after = move(state, before);
+        const bool   only_nearer = then == IfUnconverged::take_nearest;
+        const double after       = move(state, before, only_nearer);
+        if (only_nearer && !(after < before))
+          {
+            result.failure =
+              fmt::format("Newton's update {} does not reduce the residual",
+                          result.iterations);
+            result.is_usable = std::isfinite(before);
+            return result;
+          }
         residual_change += residual;
         const bool is_projected = projection.update(state, result.iterations);
         if (is_projected)

@@ -209,9 +209,8 @@ namespace seiche
                                 const double          held_beyond) const
   {
     return with_degree(occupancy.fe.degree, [&](const auto degree) {
-      return this->template move_points<degree>(state,
-                                                points,
-                                                HeldPoints<dim>(held_beyond));
+      return this->template move_points<degree>(
+        state, points, HeldPoints<dim>(points.locator, held_beyond));
     });
   }
 
@@ -362,14 +361,27 @@ namespace seiche
         block.field_gradient(u, /*add_identity=*/true, F);
         for (unsigned int c = 0; c < dim; ++c)
           block.value(u.values[c], way[c]);
+        bool is_held[n_lanes] = {};
         if (held.any_may_be())
-          n_held += held.shorten(F, way, locator.reach(cell), n_filled);
+          {
+            std::array<const double *, dim> x;
+            for (unsigned int c = 0; c < dim; ++c)
+              x[c] = arrays.position[c] + first;
+            held.shorten(cell, x, n_filled, F, way, is_held);
+          }
         determinant_and_cofactors<dim>(F, det, cofactor);
         if (mean_volume)
           block.value(volume_nodal, result);
         for (unsigned int l = 0; l < n_filled; ++l)
-          arrays.volume_ratio[first + l] *=
-            held.bounded(mean_volume ? result[l] : det[l]);
+          arrays.volume_ratio[first + l] *= mean_volume ? result[l] : det[l];
+        if (held.any_may_be())
+          for (unsigned int l = 0; l < n_filled; ++l)
+            {
+              double      &ratio   = arrays.volume_ratio[first + l];
+              const double bounded = held.bounded(ratio);
+              n_held += is_held[l] || bounded != ratio;
+              ratio = bounded;
+            }
         rule.update(block, arrays, first, n_filled);
         if (arrays.gradient[0] != nullptr)
           update_gradient<dim, degree>(block,

@@ -9,11 +9,6 @@
 
 namespace seiche
 {
-  /// What a step recovers of a point's volume error at most [-]: drops far
-  /// off (J between 0.15 and 4 after a splash) would otherwise ask for an
-  /// increment that no step size makes small, and Newton fails.
-  constexpr double largest_recovery = 0.25;
-
   /// Fields and subscales at one quadrature point, or at several (Number =
   /// Lanes); doc/theory.md, VMS.
   template <int dim, int degree, typename Number = double>
@@ -51,7 +46,8 @@ namespace seiche
                      (load<Number>(&quadrature.volume_ratio[q]) - 1.);
       if (material.is_incompressible()) // else J carries the pressure
         error =
-          min(max(error, Number(-largest_recovery)), Number(largest_recovery));
+          min(max(error, Number(-largest_volume_error)),
+              Number(largest_volume_error));
       const Number J_n = 1. + error;
       volume_n         = J_n * load<Number>(&quadrature.volume[q]);
       volume_t         = point.det_t * volume_n;

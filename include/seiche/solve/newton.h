@@ -25,10 +25,18 @@ namespace seiche
   struct NewtonResult
   {
     bool         converged         = false;
-    bool         is_usable         = false; ///< a finite iterate beyond the guess
+    bool         is_usable = false; ///< finite, and nearer than the guess
     unsigned int iterations        = 0;
     unsigned int krylov_iterations = 0;
     std::string  failure; ///< why not, for the log
+  };
+
+  /// What becomes of a step that does not converge.
+  enum class IfUnconverged
+  {
+    give_up_early, ///< half of it costs less than many iterations
+    give_up,
+    take_nearest ///< the iterate of the least residual is taken
   };
 
   /**
@@ -60,10 +68,9 @@ namespace seiche
 
     /// Solve for state.solution, starting at its value; assembler and contact
     /// have been begun for the step. state.reaction belongs to the solution.
-    /// @p gives_up_early: a smaller step would cost less than many iterations.
     /// Collective.
     NewtonResult
-    solve(GridState<dim> &state, const bool gives_up_early);
+    solve(GridState<dim> &state, const IfUnconverged then);
 
   private:
     struct Norms
@@ -79,10 +86,10 @@ namespace seiche
     scales(const GridState<dim> &state) const;
 
     /// Add the update to the solution, or the largest half, quarter, ... of it
-    /// that makes the residual fall below @p before, a sixteenth in any case.
-    /// The new residual's norm.
+    /// that makes the residual fall below @p before, else a sixteenth; nothing
+    /// then if @p only_nearer. The new residual's norm.
     double
-    move(GridState<dim> &state, const double before);
+    move(GridState<dim> &state, const double before, const bool only_nearer);
 
     /// What iterations hand on.
     struct Progress
