@@ -84,19 +84,25 @@ def reference(*path):
         return numpy.array([[float(v) for v in row] for row in list(csv.reader(file))[1:]]).T
 
 
+def say(axes, message):
+    """A message in the middle of an empty panel."""
+    axes.text(0.5, 0.5, message, transform=axes.transAxes, ha="center", va="center", color="0.4")
+
+
 def draw_points(axes, frame, values, limits, colours, message):
     """Points of the size they have [m], coloured by values (the name of a field
-    or an array); a message instead if there is no frame. For a colour bar, or None."""
+    or an array); a message instead if there is no frame."""
     axes.set_aspect("equal")
     if frame is None:
-        axes.text(0.5, 0.5, message, transform=axes.transAxes, ha="center", va="center", color="0.4")
-        return None
+        say(axes, message)
+        return
+    values = field(frame, values) if isinstance(values, str) else values
     size = OVERLAP * 2 * field(frame, "radius")
     points = EllipseCollection(
         size, size, numpy.zeros(len(size)), units="xy", offsets=frame["points"][:, :2],
-        offset_transform=axes.transData, array=field(frame, values) if isinstance(values, str) else values,
-        cmap=colours, clim=limits, lw=0, antialiased=False, rasterized=True)
-    return axes.add_collection(points)
+        offset_transform=axes.transData, array=values, cmap=colours, clim=limits, lw=0,
+        antialiased=False, rasterized=True)
+    axes.add_collection(points)
 
 
 def colour_bar(figure, axes, limits, colours, label, **options):

@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 import numpy
 from matplotlib.colors import LinearSegmentedColormap
 
-from seiche_paper import COLOUR, OURS, RECIPE, ROOT, colour_bar, save
+from seiche_paper import COLOUR, OURS, RECIPE, ROOT, colour_bar, save, say
 from seiche_paper_numbers import smoothed
 from seiche_sections import columns_of, depth, draw_section, near_plane
 from seiche_snapshots import domain, draw_obstacles, field, obstacles
@@ -30,29 +30,33 @@ TIMES = (0.32, 0.38, 0.52, 0.60, 0.68, 0.74)  # of figures 12 and 13
 
 
 def depths_at(points, values, edges):
-    """Depth at the points: bilinear between the middles of the columns."""
+    """Depth at the points: bilinear between the middles of the wet columns."""
     index = []
     for d in (0, 1):
         width = edges[d][1] - edges[d][0]
         place = (points[:, d] - edges[d][0]) / width - 0.5
         low = numpy.clip(numpy.floor(place).astype(int), 0, max(values.shape[d] - 2, 0))
-        index.append((low, numpy.minimum(low + 1, values.shape[d] - 1), numpy.clip(place - low, 0, 1)))
+        high = numpy.minimum(low + 1, values.shape[d] - 1)
+        index.append((low, high, numpy.clip(place - low, 0, 1)))
     (i, i1, a), (j, j1, b) = index
-    return (1 - a) * ((1 - b) * values[i, j] + b * values[i, j1]) + \
-        a * ((1 - b) * values[i1, j] + b * values[i1, j1])
+    total = weight = 0.0
+    for k, share_x in ((i, 1 - a), (i1, a)):
+        for l, share_y in ((j, 1 - b), (j1, b)):
+            wet = share_x * share_y * (values[k, l] > 0)
+            total, weight = total + wet * values[k, l], weight + wet
+    return total / numpy.maximum(weight, 1e-12)
 
 
 def evolution(runs, output, numbers):
     """Figure 12: the water in three dimensions, coloured by its depth."""
-    figure, all_axes = plt.subplots(4, 2, figsize=(12, 14), layout="constrained")
+    figure, all_axes = plt.subplots(4, 2, figsize=(12, 15.5), layout="constrained")
     view = None
     for row, time in zip(all_axes, (0.32, 0.38, 0.52, 0.60)):
         for axes, (method, name) in zip(row, ROWS):
             axes.set_title("%s, t = %.2f s" % (method, time), fontsize=10)
             frame = runs[name].frame_at(time)
             if frame is None:
-                axes.text(0.5, 0.5, runs[name].ending(), transform=axes.transAxes, ha="center",
-                          va="center", color="0.4")
+                say(axes, runs[name].ending())
                 axes.set_axis_off()
                 continue
             lower, upper = domain(runs[name].run, frame["points"])
@@ -78,8 +82,7 @@ def section(runs, output, numbers):
             axes.set_title("%s, t = %.2f s" % (method, time))
             frame = runs[name].frame_at(time)
             if frame is None:
-                axes.text(0.5, 0.5, runs[name].ending(), transform=axes.transAxes, ha="center",
-                          va="center", color="0.4")
+                say(axes, runs[name].ending())
                 continue
             draw_section(axes, *near_plane(frame, SYMMETRY), FASTEST, 0.03, size=9)
             draw_obstacles(axes, runs[name].run, 0, 2, (1, SYMMETRY))
@@ -95,8 +98,8 @@ def section(runs, output, numbers):
 
 def stated_peak():
     """(value [N], what it is) of the only force that texts state."""
-    path = os.path.join(ROOT, "prm", "benchmarks", "aureli_obstacle", "reference", "stated_values.csv")
-    with open(path, newline="", encoding="utf-8") as file:
+    folder = os.path.join(ROOT, "prm", "benchmarks", "aureli_obstacle", "reference")
+    with open(os.path.join(folder, "stated_values.csv"), newline="", encoding="utf-8") as file:
         rows = [row for row in csv.DictReader(file) if row["quantity"].startswith("peak force")]
     return float(rows[0]["value"]), "peak of a 2D shallow-water computation (stated)"
 
@@ -106,9 +109,9 @@ def compare_force(name, time, force, mean, numbers):
     title = "Figure 14: building, force on the front face"
     numbers.add(title, name, **{
         "above 0.5 N from [s]": time[wet][0] if wet.any() else None,
-        "largest step [N]": force.max(), "at [s]": time[force.argmax()],
+        "largest step [N]": force.max(), "largest step at [s]": time[force.argmax()],
         "largest mean of %g ms [N]" % (1000 * SMOOTHING): mean.max(),
-        "at [s] ": time[mean.argmax()],
+        "largest mean at [s]": time[mean.argmax()],
         "impulse to %g s [N s]" % round(time[-1], 2): float(
             numpy.sum(0.5 * (force[1:] + force[:-1]) * numpy.diff(time)))})
     for at in TIMES:
@@ -133,7 +136,8 @@ def force(runs, output, numbers):
         compare_force(method, time, values, mean, numbers)
     value, label = stated_peak()
     axes.axhline(value, color="k", ls="--", lw=1, label="%g N: %s" % (value, label))
-    axes.set(xlim=(0, 1), ylim=(-0.5, highest), xlabel="t [s]", ylabel="force on the front face [N]")
+    axes.set(xlim=(0, 1), ylim=(-0.5, highest), xlabel="t [s]",
+             ylabel="force on the front face [N]")
     axes.grid(alpha=0.3)
     axes.legend(loc="upper left")
     save(figure, output, "figure_14_obstacle_force")

@@ -65,8 +65,8 @@ class View:
             for dj in range(-reach, reach + 1):
                 i, j = numpy.rint(row).astype(int) + di, numpy.rint(column).astype(int) + dj
                 square = radii**2 - ((i - row)**2 + (j - column)**2) * self.pixel**2
-                inside = (square > 0) & (i >= 0) & (i < self.shape[0]) & (j >= 0) & (j < self.shape[1])
-                number = numpy.flatnonzero(inside)
+                number = numpy.flatnonzero((square > 0) & (i >= 0) & (i < self.shape[0])
+                                           & (j >= 0) & (j < self.shape[1]))
                 z = place[number, 2] + numpy.sqrt(square[number])
                 pixel = i[number] * self.shape[1] + j[number]
                 order = numpy.argsort(z)  # of equal pixels the last one stays
@@ -150,19 +150,20 @@ class View:
         used = numpy.flatnonzero((image < 0.999).any(axis=(1, 2)))
         axes.set_ylim(self.low[1] + FINER * self.pixel * numpy.array([used[0], used[-1] + 1]))
         near = numpy.where(self.axes[2] > 0, self.upper, self.lower)
-        outward = 0.05 * numpy.ptp(self.extent[:2])
+        away = 0.05 * numpy.ptp(self.extent[:2])
         for d, places in ticks.items():
             middle = numpy.array([near[0], near[1], self.lower[2]])
             middle[d] = 0.5 * (self.lower[d] + self.upper[d])
-            side = self.project(numpy.eye(3)[1 - d] * numpy.sign(near[1 - d] - self.lower[1 - d] - 1e-9))
-            side = side[:2] / numpy.linalg.norm(side[:2])
+            outwards = numpy.eye(3)[1 - d] * (1 if self.axes[2][1 - d] > 0 else -1)
+            side = self.project(outwards)[:2]
+            side /= numpy.linalg.norm(side)
             for place in places:
                 at = middle.copy()
                 at[d] = place
                 p = self.project(at)[:2]
-                axes.plot(*zip(p, p + 0.25 * outward * side), color="0.35", lw=0.6, clip_on=False)
-                axes.text(*(p + 0.75 * outward * side), "%g" % place, fontsize=7, ha="center",
+                axes.plot(*zip(p, p + 0.25 * away * side), color="0.35", lw=0.6, clip_on=False)
+                axes.text(*(p + 0.75 * away * side), "%g" % place, fontsize=7, ha="center",
                           va="center")
-            axes.text(*(self.project(middle)[:2] + 1.7 * outward * side), "%s [m]" % "xyz"[d],
+            axes.text(*(self.project(middle)[:2] + 1.7 * away * side), "%s [m]" % "xyz"[d],
                       fontsize=8, ha="center", va="center")
         axes.set_axis_off()
