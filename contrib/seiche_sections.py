@@ -89,15 +89,37 @@ def depth_picture(run, frames, filename):
     plt.close(figure)
 
 
+def near_plane(frame, place):
+    """Positions and velocities of the points within a spacing of the plane
+    y = place [m]."""
+    half = 2.0 * float(numpy.median(field(frame, "radius")))
+    near = abs(frame["points"][:, 1] - place) <= half
+    return frame["points"][near], field(frame, "velocity")[near]
+
+
+def draw_section(axes, x, v, fastest, step, size=3):
+    """Points in the plane of x and z coloured by speed [m/s], and mean
+    velocities of bins, `step` [m] long, as arrows."""
+    image = axes.scatter(
+        x[:, 0], x[:, 2], c=numpy.linalg.norm(v, axis=1), s=size, lw=0,
+        cmap="viridis", vmin=0, vmax=fastest, rasterized=True,
+    )
+    bins = numpy.floor(x[:, [0, 2]] / (step, 0.5 * step)).astype(int)
+    which = numpy.unique(bins, axis=0, return_inverse=True)[1].ravel()
+    means = [
+        numpy.bincount(which, values) / numpy.bincount(which)
+        for values in (x[:, 0], x[:, 2], v[:, 0], v[:, 2])
+    ]
+    axes.quiver(
+        *means, angles="xy", scale_units="xy", scale=fastest / (1.5 * step), width=0.0012
+    )
+    return image
+
+
 def section_picture(run, frames, place, filename):
-    """Points within a spacing of the plane y = place [m], coloured by speed,
-    and mean velocities of bins as arrows; [(time, frame)]."""
+    """Speeds in the plane y = place [m]; [(time, frame)]."""
     lower, upper = domain(run, frames[0][1]["points"])
-    half = 2.0 * float(numpy.median(field(frames[0][1], "radius")))
-    cut = []
-    for time, frame in frames:
-        near = abs(frame["points"][:, 1] - place) <= half
-        cut.append((time, frame["points"][near], field(frame, "velocity")[near]))
+    cut = [(time, *near_plane(frame, place)) for time, frame in frames]
     speeds = numpy.concatenate([numpy.linalg.norm(v, axis=1) for _, _, v in cut])
     if len(speeds) == 0:
         return False
@@ -105,19 +127,7 @@ def section_picture(run, frames, place, filename):
     figure, all_axes = panels(len(frames), lower, upper, (0, 2))
     step = (upper[0] - lower[0]) / ARROWS
     for axes, (time, x, v) in zip(all_axes, cut):
-        image = axes.scatter(
-            x[:, 0], x[:, 2], c=numpy.linalg.norm(v, axis=1), s=3, lw=0,
-            cmap="viridis", vmin=0, vmax=fastest, rasterized=True,
-        )
-        bins = numpy.floor(x[:, [0, 2]] / (step, 0.5 * step)).astype(int)
-        which = numpy.unique(bins, axis=0, return_inverse=True)[1].ravel()
-        means = [
-            numpy.bincount(which, values) / numpy.bincount(which)
-            for values in (x[:, 0], x[:, 2], v[:, 0], v[:, 2])
-        ]
-        axes.quiver(
-            *means, angles="xy", scale_units="xy", scale=fastest / (1.5 * step), width=0.0012
-        )
+        image = draw_section(axes, x, v, fastest, step)
         # only those that the plane goes through
         draw_obstacles(axes, run, 0, 2, (1, place))
         axes.set_title("t = %.3g s, y = %.4g m" % (time, place), fontsize=10)

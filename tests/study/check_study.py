@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The parameter studies of contrib/study.
+"""The parameter studies of contrib/study, and the figures of contrib/paper.
 
 check_study.py SEICHE CASE
 """
@@ -259,8 +259,77 @@ y = "method"
         ("a", "3", "2.000"), ("b", "2", "1.000")], lines
 
 
+COARSE = {  # study of contrib/paper -> (base, entries of all its variants, their names)
+    "rotating_patch": ("paper/rotating_patch.prm", """
+"Grid/Cell size" = 0.1
+"Time/Step" = 0.05
+"Time/End time" = 1
+""", ("mixed 36", "paper, mixed 36", "mixed 16")),
+    "dam_break_2d": ("paper/dam_break_2d.prm", """
+"Grid/Cell size" = 0.1
+"Time/Step" = 0.02
+"Time/End time" = 0.52
+""", ("mixed", "paper, mixed")),
+    "obstacle_3d": ("benchmarks/aureli_obstacle/aureli_obstacle.prm", """
+"Grid/Cells x" = "8, 1, 5, 1, 5"
+"Grid/Cells y" = "4, 3, 4"
+"Grid/Cells z" = "1, 1, 1"
+"Time/Step" = 0.02
+"Time/End time" = 0.36
+""", ("this code",)),
+}
+
+
+def paper(seiche, folder):
+    """Figures and numbers of contrib/paper from tiny runs; some are missing."""
+    for study, (base, entries, names) in COARSE.items():
+        file = pathlib.Path(folder, "a.toml")
+        file.write_text(
+            f'base = "{HERE.parents[1]}/prm/{base}"\n[set]\n'
+            f'"Points/Per cell and direction" = 2\n{entries}'
+            + "".join(f'[[variants]]\nname = "{name}"\n' for name in names)
+            + '[collect]\nenergy = "last(relative_energy)"\n')
+        run(seiche, f"{folder}/{study}", file=file)
+    process = subprocess.run(
+        [sys.executable, str(CONTRIB / "paper"), "--plot-only", "--output", folder],
+        capture_output=True, text=True)
+    if process.returncode == 1 and "python3-matplotlib" in process.stderr:
+        print("no matplotlib here:", process.stderr)
+        return
+    assert process.returncode == 0, process.stderr
+    pictures = sorted(path.name[:9] for path in pathlib.Path(folder).glob("figure_*.png")
+                      if path.stat().st_size > 20000)
+    assert pictures == [f"figure_{i:02d}" for i in (2, 3, 4, 5, 7, 8, 9, 10, 12, 13, 14)], pictures
+
+    with open(f"{folder}/figures.csv", newline="", encoding="utf-8") as table:
+        numbers = {(line["table"].split(":")[0], line["run"], line["quantity"]): line["value"]
+                   for line in csv.DictReader(table)}
+
+    def number(*key):
+        return float(numbers[key])
+
+    # interFoam against the experiment: from the tables of reference/ alone
+    assert abs(number("Figure 9", "interFoam", "one shift of its clock [s]") - 0.0135) < 1e-9
+    assert abs(number("Figure 9", "interFoam", "rms over H") - 0.0958) < 1e-4
+    assert abs(number("Figure 10", "experiment, median, not smoothed",
+                      "sensor1, mean 0.9 to 1.3 s [Pa]") - 4141) < 1
+    # both names are the same run here; the patch is coarse, not wrong
+    key = "rms of p - reference [Pa]"
+    assert number("Figure 4", "this code", key) == number(
+        "Figure 4", "founding paper's recipe", key) < 0.02
+    assert number("Figure 5", "mixed 36", "smoothed [Pa]") < 0.02
+    assert number("Figure 9", "mixed", "rms over H") < 0.3
+    assert numbers["Figure 10", "mixed", "sensor1, mean 0.9 to 1.3 s [Pa]"] == ""  # ended before
+    assert number("Figure 14", "this code", "mean at 0.32 s") >= 0
+    assert "founding paper's recipe" not in {run for figure, run, _ in numbers
+                                             if figure == "Figure 14"}
+    text = pathlib.Path(folder, "figures.md").read_text()
+    assert "| mixed |" in text and text.strip() in process.stdout
+
+
+
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as scratch:
-        {case.__name__: case for case in (resume, mistakes, expansion, orders, plots)}[
-            sys.argv[2]](sys.argv[1], scratch)
+        cases = (resume, mistakes, expansion, orders, plots, paper)
+        {case.__name__: case for case in cases}[sys.argv[2]](sys.argv[1], scratch)
     print("passed")
