@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/boomer_amg.h>
 #include <seiche/solve/ml_multigrid.h>
-#include <seiche/solve/muelu_multigrid.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -26,11 +25,7 @@ namespace seiche
        make<BoomerAMG>,
        "factors of a small symmetric one on one rank, else BoomerAMG"},
       {"BoomerAMG", false, make<BoomerAMG>, "HYPRE's, classical coarsening"},
-      {"ML", false, make<MLMultigrid>, "Trilinos', smoothed aggregation"},
-      {"MueLu",
-       false,
-       make<MueLuMultigrid>,
-       "its successor in Trilinos, smoothed aggregation"}};
+      {"ML", false, make<MLMultigrid>, "Trilinos', smoothed aggregation"}};
     return table;
   }
 
