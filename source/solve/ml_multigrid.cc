@@ -33,6 +33,8 @@ namespace seiche
     settings.set("ML output", 0);
     settings.set("aggregation: type", "Uncoupled");
     settings.set("aggregation: threshold", 1e-4);
+    // from the rows alone: the default's conjugate gradients start from random
+    // numbers that go on, so that a restarted run would not be the same
     settings.set("eigen-analysis: type", "Anorm");
     settings.set("smoother: type", "symmetric Gauss-Seidel");
     settings.set("smoother: sweeps", 1);

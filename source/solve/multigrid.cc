@@ -35,8 +35,8 @@ namespace seiche
     for (const MultigridMethod &method : multigrid_methods())
       if (name == method.name)
         return method;
-    AssertThrow(false,
-                dealii::ExcInternalError()); // the pattern refuses others
+    // the pattern refuses other names
+    AssertThrow(false, dealii::ExcInternalError());
     return multigrid_methods().front();
   }
 } // namespace seiche
