@@ -83,6 +83,7 @@ namespace seiche
     formulation.stabilization.check(input_file);
     time.check(input_file);
     transfer.check(input_file, formulation.degree, seeding.per_direction);
+    linear_solver.check(input_file, formulation.is_mixed());
     unsigned int per_cell = 1;
     for (unsigned int d = 0; d < dim; ++d)
       per_cell *= seeding.per_direction;

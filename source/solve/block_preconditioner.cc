@@ -23,6 +23,12 @@ namespace seiche
   } // namespace
 
   template <int dim>
+  BlockPreconditioner<dim>::BlockPreconditioner(
+    const MultigridMethod &multigrid)
+    : schur(multigrid)
+  {}
+
+  template <int dim>
   void
   BlockPreconditioner<dim>::reset()
   {

@@ -45,36 +45,12 @@ namespace seiche
     }
   } // namespace
 
-  BoomerAMG::BoomerAMG()
+  BoomerAMG::BoomerAMG(const DistributedRows &rows, const MPI_Comm communicator)
+    : n_rows(rows.length.size())
   {
     static const int initialized = HYPRE_Init();
     (void)initialized;
-  }
-
-  BoomerAMG::~BoomerAMG()
-  {
-    clear();
-  }
-
-  void
-  BoomerAMG::clear()
-  {
-    if (solver == nullptr)
-      return;
-    HYPRE_BoomerAMGDestroy(solver);
-    HYPRE_IJMatrixDestroy(matrix);
-    HYPRE_IJVectorDestroy(right_hand_side);
-    HYPRE_IJVectorDestroy(solution);
-    solver = nullptr;
-  }
-
-  void
-  BoomerAMG::initialize(const DistributedRows &rows,
-                        const MPI_Comm         communicator)
-  {
-    clear();
     HYPRE_ClearAllErrors();
-    n_rows         = rows.length.size();
     const int last = rows.first + n_rows - 1;
     HYPRE_IJMatrixCreate(
       communicator, rows.first, last, rows.first, last, &matrix);
@@ -112,6 +88,14 @@ namespace seiche
                          object_of(solution));
     AssertThrow(HYPRE_GetError() == 0,
                 dealii::ExcMessage("HYPRE could not build a hierarchy"));
+  }
+
+  BoomerAMG::~BoomerAMG()
+  {
+    HYPRE_BoomerAMGDestroy(solver);
+    HYPRE_IJMatrixDestroy(matrix);
+    HYPRE_IJVectorDestroy(right_hand_side);
+    HYPRE_IJVectorDestroy(solution);
   }
 
   void

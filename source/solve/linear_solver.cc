@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
 #include <seiche/solve/direct_solver.h>
 #include <seiche/solve/linear_solver.h>
 
@@ -47,6 +48,15 @@ namespace seiche
   void
   LinearSolverParameters::add_parameters(ParameterHandler &prm)
   {
+    std::string names, text = "Multigrid for the Schur complement of the "
+                              "pressure. ";
+    for (const MultigridMethod &method : multigrid_methods())
+      {
+        names += (names.empty() ? "" : "|") + std::string(method.name);
+        text += std::string(method.name) + ": " + method.description + "; ";
+      }
+    text += "all but automatic need Linear solver = iterative and are then "
+            "used in every system [-]";
     prm.enter_subsection("Solver");
     prm.add_parameter("Linear solver",
                       solver,
@@ -54,6 +64,7 @@ namespace seiche
                       "than iterative at 12000 unknowns; iterative: flexible "
                       "GMRES with AMG; automatic: by the number of unknowns",
                       Patterns::Selection("automatic|direct|iterative"));
+    prm.add_parameter("Multigrid", multigrid, text, Patterns::Selection(names));
     prm.add_parameter(
       "Linear tolerance",
       tolerance,
@@ -74,6 +85,22 @@ namespace seiche
     prm.leave_subsection();
   }
 
+  void
+  LinearSolverParameters::check(const InputFile &input,
+                                const bool       has_pressure) const
+  {
+    const bool is_automatic = multigrid_method(multigrid).factorises_small;
+    input.require(is_automatic || has_pressure,
+                  "Solver/Multigrid",
+                  "the irreducible form has no pressure to solve for: set it "
+                  "to automatic, or Formulation/Name = displacement-pressure");
+    input.require(is_automatic || solver == "iterative",
+                  "Solver/Multigrid",
+                  "a named one needs Linear solver = iterative, as the others "
+                  "factorise (automatic: small systems); or set it to "
+                  "automatic");
+  }
+
   template <int dim>
   LinearSolver<dim>::LinearSolver(const LinearSolverParameters &p,
                                   const MaterialConstants      &m,
@@ -81,6 +108,7 @@ namespace seiche
     : parameters(p)
     , material(m)
     , timer(t)
+    , preconditioner(multigrid_method(parameters.multigrid))
   {}
 
   template <int dim>

@@ -48,6 +48,11 @@ namespace seiche
   } // namespace
 
   template <int dim>
+  SchurComplement<dim>::SchurComplement(const MultigridMethod &m)
+    : method(m)
+  {}
+
+  template <int dim>
   bool
   SchurComplement<dim>::initialize(const BlockMatrix<dim>  &system_matrix,
                                    const Assembler<dim>    &assembler,
@@ -70,27 +75,29 @@ namespace seiche
       return true;
 
     generation = matrix->generation();
-    amg.clear();
+    hierarchy.reset();
     cholesky.clear();
     const MPI_Comm communicator = mass.get_mpi_communicator();
     if (!scaled)
       {
-        amg.initialize(product(stabilization.is_active ? c.inertia : 0., mass),
-                       communicator);
+        hierarchy =
+          method.make(product(stabilization.is_active ? c.inertia : 0., mass),
+                      communicator);
         return false;
       }
     const double h = matrix->occupancy.smallest_extent();
     const double scale =
       1. / (material.density * assembler.reference_tau(h).momentum);
     const std::vector<double> surface = surface_term(c.inertia);
-    if (matrix->occupancy.n_global_nodes() < cholesky_below<dim> &&
+    if (method.factorises_small &&
+        matrix->occupancy.n_global_nodes() < cholesky_below<dim> &&
         Utilities::MPI::n_mpi_processes(communicator) == 1)
       {
         LowerTriangle L = scaled_triangle(scale, surface);
         if (cholesky.initialize(L, matrix->occupancy.generation()))
           return false;
       }
-    amg.initialize(scaled_rows(scale, surface), communicator);
+    hierarchy = method.make(scaled_rows(scale, surface), communicator);
     return false;
   }
 
@@ -242,8 +249,8 @@ namespace seiche
   {
     if (closed)
       r.add(-r.mean_value());
-    if (cholesky.is_empty())
-      amg.vmult(z, r);
+    if (hierarchy)
+      hierarchy->vmult(z, r);
     else
       cholesky.solve(z.begin(), r.begin());
     z *= factor;

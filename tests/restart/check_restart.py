@@ -86,6 +86,12 @@ def exact_3d(make, folder, ranks):
     exact(make(SCENE_3D, ranks), folder, ["statistics.csv"], ["0.17"])
 
 
+def exact_ml(make, folder, ranks):
+    """No hierarchy has a memory, say of random numbers."""
+    exact(make(SCENE_3D, ranks, ["Solver/Multigrid = ML"]), folder,
+          ["statistics.csv"], ["0.17"])
+
+
 def exact_error_control(make, folder, ranks):
     """The size of the next step depends on the steps before."""
     options = ["Time/Step control = error", "Time/Error tolerance = 0.02"]
@@ -260,6 +266,7 @@ def stopped_at_start(make, folder, _):
 CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_piston": (exact_piston, 1),
          "exact_3d": (exact_3d, 1), "exact_3d_2_ranks": (exact_3d, 2),
+         "exact_ml_2_ranks": (exact_ml, 2),
          "exact_error_control_2_ranks": (exact_error_control, 2),
          "exact_adaptive_2_ranks": (exact_adaptive, 2),
          "exact_box_2_ranks": (exact_box, 2),

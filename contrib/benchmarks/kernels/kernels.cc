@@ -183,7 +183,8 @@ namespace
   preconditioner_set_up(benchmark::State &state)
   {
     auto                            &bench = workbench<dim>(Cells::full);
-    seiche::BlockPreconditioner<dim> preconditioner;
+    seiche::BlockPreconditioner<dim> preconditioner(
+      seiche::multigrid_method(bench.scene.linear_solver.multigrid));
     for (auto _ : state)
       {
         preconditioner.reset();
@@ -201,7 +202,8 @@ namespace
   preconditioner_cycle(benchmark::State &state)
   {
     auto                            &bench = workbench<dim>(Cells::full);
-    seiche::BlockPreconditioner<dim> preconditioner;
+    seiche::BlockPreconditioner<dim> preconditioner(
+      seiche::multigrid_method(bench.scene.linear_solver.multigrid));
     preconditioner.initialize(bench.matrix,
                               bench.assembler,
                               bench.scene.material(),

@@ -29,6 +29,9 @@ namespace seiche
     using Vector      = dealii::LinearAlgebra::distributed::Vector<double>;
     using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
 
+    /// @p multigrid: of the Schur complement.
+    explicit BlockPreconditioner(const MultigridMethod &multigrid);
+
     /// Set up for a newly assembled matrix. Hierarchies and factors are kept
     /// until reset(): their values only steer convergence, and the
     /// matrices of a step differ by a factor above all. (Keeping them longer

@@ -18,16 +18,23 @@ namespace dealii
 
 namespace seiche
 {
+  class InputFile;
+
   /// prm entries of the linear solver (subsection "Solver").
   struct LinearSolverParameters
   {
     std::string  solver               = "automatic";
+    std::string  multigrid            = "automatic";
     double       tolerance            = 1e-2;
     double       projection_tolerance = 1e-3;
     unsigned int maximum_iterations   = 200;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+
+    /// InputError for a multigrid that might not be used.
+    void
+    check(const InputFile &input, const bool has_pressure) const;
   };
 
   /// What became of a solve.

@@ -3,8 +3,8 @@
 #define seiche_solve_schur_complement_h
 
 #include <seiche/solve/assembler.h>
-#include <seiche/solve/boomer_amg.h>
 #include <seiche/solve/cholesky_factors.h>
+#include <seiche/solve/multigrid.h>
 
 namespace seiche
 {
@@ -12,12 +12,12 @@ namespace seiche
    * @brief S^-1 of [A G; C D], S = D - C A^-1 G, approximately.
    *
    * Where tau1 is the same in all cells of a size S is D/(rho C_a tau1),
-   * Laplacian-like, so that one multigrid hierarchy (BoomerAMG) serves all
-   * solves of a step; where subscales vary S is formed with the lumped inertia
-   * (D and C A^-1 G nearly cancel where tau1 is large), without subscales with
-   * diag(A). On one rank a small symmetric S is factorised. Viscous fluids add
-   * 2 mu c_r/M_p to S^-1 (Cahouet and Chabard 1988). (doc/theory.md, "Linear
-   * systems")
+   * Laplacian-like, so that one multigrid hierarchy serves all solves of a
+   * step; where subscales vary S is formed with the lumped inertia (D and C
+   * A^-1 G nearly cancel where tau1 is large), without subscales with diag(A).
+   * Where the method says so a small symmetric S is factorised on one rank.
+   * Viscous fluids add 2 mu c_r/M_p to S^-1 (Cahouet and Chabard 1988).
+   * (doc/theory.md, "Linear systems")
    */
   template <int dim>
   class SchurComplement
@@ -25,6 +25,8 @@ namespace seiche
   public:
     using Vector      = dealii::LinearAlgebra::distributed::Vector<double>;
     using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
+
+    explicit SchurComplement(const MultigridMethod &method);
 
     /// Set up for a newly assembled matrix; @p mass [kg] lumped, of nodes;
     /// @p closed: pressure known up to a constant. True if the hierarchy or
@@ -83,14 +85,15 @@ namespace seiche
                           const double       surface,
                           const Function    &f) const;
 
+    const MultigridMethod  &method;
     const BlockMatrix<dim> *matrix     = nullptr;
     bool                    closed     = false;
     unsigned int            generation = 0;  ///< pattern, 0: none
     double                  factor     = 1.; ///< S^-1 = factor * hierarchy
 
     // one of these two
-    BoomerAMG               amg;
-    mutable CholeskyFactors cholesky;
+    std::unique_ptr<Multigrid> hierarchy;
+    mutable CholeskyFactors    cholesky;
 
     double viscous_factor = 0.; ///< 2 mu c_r [Pa]
     Vector volume;              ///< lumped pressure mass [m^dim]
