@@ -125,7 +125,9 @@ namespace seiche
     prm.add_parameter("Tau speed floor",
                       speed_floor,
                       "Tau = paper: smallest speed in equation 25, which is "
-                      "infinite for fluid at rest [cells a step]",
+                      "infinite for fluid at rest; below about 0.5 the inertia "
+                      "of the subscales outweighs that of the flow and "
+                      "splashes stop [cells a step]",
                       Patterns::Double(1e-12));
     prm.add_parameter("Tau inertia factor",
                       inertia_factor,
@@ -169,7 +171,7 @@ namespace seiche
 
   Stabilization::Stabilization(const StabilizationParameters &p)
     : parameters(p)
-    , is_active(p.stabilization != "none")
+    , is_active(p.is_active())
     , projects_lumped(p.projects_lumped())
     , tau_is_uniform(tau_entry(p.tau).is_uniform)
     , is_split(p.is_split())

@@ -17,8 +17,13 @@ namespace seiche
     const unsigned int enough_points       = dim == 2 ? 4 : 2; // a direction
     const double       enough_tau2         = 0.5;
     const bool         is_mixed            = scene.formulation.is_mixed();
-    const bool         has_subscales = is_mixed && vms.stabilization != "none";
+    const bool         has_subscales       = is_mixed && vms.is_active();
+    const double       least_floor         = 1.; // cells a step
+    // first what makes the equations of a step unstable at every size
     const std::vector<std::pair<bool, std::string>> table = {
+      {is_mixed && !has_subscales, "Formulation/Stabilization = ASGS"},
+      {has_subscales && vms.is_quasi_static() && vms.speed_floor < least_floor,
+       "Formulation/Tau = transient"},
       {scene.formulation.degree > 1,
        "Formulation/Element degree = 1 (fluid that breaks up needs it)"},
       {surface.point_inertia < 1., "Free surface/Point inertia = 1"},
@@ -30,7 +35,6 @@ namespace seiche
       {!scene.time.is_controlled(), "Time/Step control = CFL"},
       {scene.seeding.per_direction < enough_points,
        fmt::format("Points/Per cell and direction = {}", enough_points)},
-      {is_mixed && !has_subscales, "Formulation/Stabilization = ASGS"},
       {has_subscales && vms.continuity_factor < enough_tau2,
        fmt::format("Formulation/Tau continuity factor = {}", enough_tau2)},
       {scene.time.minimum_step > 0., "a smaller Time/Minimum step"},

@@ -25,14 +25,18 @@ namespace seiche
                    const TransferParameters &parameters,
                    const GridState<dim>     &state)
         : method(transfer_method)
-        // v_p <- keep v_p + N (v_np1 - keep v_n): 1 is FLIP, 0 is PIC
-        , keep(transfer_method.update == VelocityUpdate::flip_increment ?
+        // v_p <- keep v_p + N (v_new - keep v_n): 1 is FLIP, 0 is PIC
+        , keep(transfer_method.update == VelocityUpdate::flip_increment ||
+                   by_acceleration(transfer_method) ?
                  1. :
                transfer_method.update == VelocityUpdate::blend ?
                  parameters.flip_fraction :
                  0.)
         , dt(state.dt)
         , velocity_n(state.velocity_n.begin())
+        , velocity_new(by_acceleration(transfer_method) ?
+                         state.velocity_start.begin() :
+                         state.velocity_np1.begin())
         , velocity_np1(state.velocity_np1.begin())
         , velocity_series(state.velocity_series.size() > 0 ?
                             state.velocity_series.begin() :
@@ -46,7 +50,7 @@ namespace seiche
       gather(const Occupancy<dim> &occupancy, const unsigned int cell)
       {
         end_field.gather(velocity_np1, occupancy, cell);
-        source            = end_field;
+        source.gather(velocity_new, occupancy, cell);
         const bool series = method.update == VelocityUpdate::xpic;
         if (const double share = series ? 1. : keep; share > 0.)
           subtract(velocity_n, share, occupancy, cell);
@@ -66,7 +70,14 @@ namespace seiche
         const bool with_acceleration =
           acceleration_np1 != nullptr && arrays.acceleration[0] != nullptr;
         double result[n_lanes];
-        if (method.update == VelocityUpdate::flip_acceleration)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            block.value(source.values[c], result);
+            for (unsigned int l = 0; l < n_filled; ++l)
+              arrays.velocity[c][first + l] =
+                keep * arrays.velocity[c][first + l] + result[l];
+          }
+        if (by_acceleration(method))
           {
             Assert(with_acceleration,
                    dealii::ExcMessage("Points or grid lack accelerations."));
@@ -79,14 +90,6 @@ namespace seiche
                     0.5 * dt * (arrays.acceleration[c][first + l] + result[l]);
               }
           }
-        else
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              block.value(source.values[c], result);
-              for (unsigned int l = 0; l < n_filled; ++l)
-                arrays.velocity[c][first + l] =
-                  keep * arrays.velocity[c][first + l] + result[l];
-            }
         if (with_acceleration)
           for (unsigned int c = 0; c < dim; ++c)
             {
@@ -99,6 +102,15 @@ namespace seiche
       CellField<dim, degree> end_field; // v_np1, for the gradient
 
     private:
+      /// True if the points integrate accelerations; of the grid's velocity
+      /// they then take the jump v_0 - v_n alone: impulses of the walls and
+      /// of the projection are in no acceleration.
+      static bool
+      by_acceleration(const TransferMethod &method)
+      {
+        return method.update == VelocityUpdate::flip_acceleration;
+      }
+
       /// source -= share times a nodal vector.
       void
       subtract(const double         *vector,
@@ -117,6 +129,7 @@ namespace seiche
       const double           keep;
       const double           dt;
       const double          *velocity_n;
+      const double          *velocity_new;
       const double          *velocity_np1;
       const double          *velocity_series;
       const double          *acceleration_np1;

@@ -4,6 +4,8 @@
 #include <seiche/transfer/transfer.h>
 #include <seiche/utilities/shape_functions.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <algorithm>
 
 namespace seiche
@@ -88,7 +90,8 @@ namespace seiche
     private:
       /// The linear field that is closest to the velocities of the cell's
       /// points, weighted by mass (Taylor least squares: Wobbes, Moller,
-      /// Galavi, Vuik 2019, with a linear basis).
+      /// Galavi, Vuik 2019, with a linear basis). Points on a line or a plane
+      /// define no derivative across it, and points near one hardly any.
       void
       fit(const std::size_t             begin,
           const std::size_t             end,
@@ -106,25 +109,32 @@ namespace seiche
           }
         centre /= mass;
         mean /= mass;
-        dealii::Tensor<2, dim> moments, products;
+        dealii::SymmetricTensor<2, dim> moments; // in cells, squared
+        dealii::Tensor<2, dim>          products;
         for (std::size_t p = begin; p < end; ++p)
           {
+            const double           weight = arrays.mass[p] / mass;
             dealii::Tensor<1, dim> arm, deviation;
             for (unsigned int d = 0; d < dim; ++d)
               {
-                arm[d]       = arrays.position[d][p] - centre[d];
+                arm[d]       = (arrays.position[d][p] - centre[d]) / extent[d];
                 deviation[d] = arrays.velocity[d][p] - mean[d];
               }
-            moments += arrays.mass[p] * outer_product(arm, arm);
-            products += arrays.mass[p] * outer_product(deviation, arm);
+            moments += weight * symmetrize(outer_product(arm, arm));
+            products += weight * outer_product(deviation, arm);
           }
-        // points on a line or a plane define no derivative across it
-        for (unsigned int d = 0; d < dim; ++d)
-          moments[d][d] += least_spread * mass * extent[d] * extent[d];
-        slope = share * products * invert(moments);
+        for (const auto &[spread, axis] : eigenvectors(moments))
+          slope += share / std::max(spread, least_spread) *
+                   outer_product(products * axis, axis);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            slope[c][d] /= extent[d];
       }
 
-      static constexpr double least_spread = 1e-6; // in cells, squared
+      /// Of points that define a derivative, mean square in cells (a uniform
+      /// cell has 1/12): the slope is at most 1/sqrt(this), some 6, times
+      /// the deviations of the velocities. Measured: doc/methods.md.
+      static constexpr double least_spread = 0.03;
 
       const PointArrays<dim, const PointCloud<dim>> &arrays;
       const double                                   share;

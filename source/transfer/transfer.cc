@@ -31,7 +31,8 @@ namespace seiche
         GradientUse::none,
         false,
         VelocityUpdate::flip_acceleration,
-        "points add dt times the mean of old and new acceleration"},
+        "points add dt times the mean of old and new acceleration, and what "
+        "walls and projection do to the grid's velocity at the start"},
        {"PIC/FLIP blend",
         GradientUse::none,
         false,

@@ -229,7 +229,13 @@ namespace
                 << (error < 1e-9 ? "yes" : "no") << ", pressure kept: "
                 << (pressure_error < 1e-10 ? "yes" : "no") << std::endl;
 
-    // a force-free step with a known acceleration field: a = (1, 2 x, ...)
+    // a step with a known acceleration field, a = (1, 2 x, ...); its start
+    // velocity differs from v_n, as with walls and the projection
+    state.velocity_start.zero_out_ghost_values();
+    for (unsigned int i = 0; i < dim * occupancy.n_own_nodes(); ++i)
+      state.velocity_start.local_element(i) =
+        state.velocity_n.local_element(i) + 0.25;
+    state.velocity_start.update_ghost_values();
     for (auto *vector : {&state.acceleration_np1,
                          &state.velocity_np1,
                          &state.displacement(),
@@ -242,7 +248,7 @@ namespace
           {
             const unsigned int i = dim * node + d;
             const double       a = d == 0 ? 1. : 2. * x[0];
-            const double       v = state.velocity_n.local_element(i);
+            const double       v = state.velocity_start.local_element(i);
             state.acceleration_np1.local_element(i) = a;
             state.velocity_np1.local_element(i)     = v + state.dt * a;
             state.displacement().local_element(i) =

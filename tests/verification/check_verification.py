@@ -5,8 +5,8 @@
 check_verification.py --list
 check_verification.py SEICHE CASE
 
-The cases and their limits are in scenes.toml, stress.toml and orders.toml; what
-their keys mean is said there.
+The cases and their limits are in scenes.toml, stress.toml, methods.toml and
+orders.toml; what their keys mean is said there.
 """
 import csv
 import json
@@ -170,7 +170,7 @@ def all_cases():
     cases = {"time_order_vortex": time_order_vortex,
              "time_order_vortex_default": time_order_vortex_default}
     for file, check in (("scenes", check_scene), ("stress", check_scene),
-                        ("orders", check_order)):
+                        ("methods", check_scene), ("orders", check_order)):
         with open(HERE / f"{file}.toml", "rb") as stream:
             table = tomllib.load(stream)
         for name, entries in table.items():

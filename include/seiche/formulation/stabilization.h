@@ -52,17 +52,31 @@ namespace seiche
     unsigned int projection_updates = 6;
     std::string  projection_mass    = "lumped";
     std::string  tau                = "transient";
-    double       speed_floor        = 1e-3; // [h/dt], of |v|
-    double       inertia_factor     = 1.;   // c_d
-    double       viscous_factor     = 4.;   // c_1
-    double       continuity_factor  = 0.1;  // c_2
-    double       continuity_modulus = 0.;   // K_num [Pa]
-    double       continuity_time    = 0.;   // T_c [s], 0: none
+    double       speed_floor        = 1.;  // [h/dt], of |v|
+    double       inertia_factor     = 1.;  // c_d
+    double       viscous_factor     = 4.;  // c_1
+    double       continuity_factor  = 0.1; // c_2
+    double       continuity_modulus = 0.;  // K_num [Pa]
+    double       continuity_time    = 0.;  // T_c [s], 0: none
 
     void
     add_parameters(dealii::ParameterHandler &prm);
     void
     check(const InputFile &input) const;
+
+    /// True if there are subscales.
+    bool
+    is_active() const
+    {
+      return stabilization != "none";
+    }
+
+    /// True if tau1 is that of equation 25, without inertia.
+    bool
+    is_quasi_static() const
+    {
+      return tau == "paper";
+    }
 
     /// True if the subscales are orthogonal to the finite elements.
     bool

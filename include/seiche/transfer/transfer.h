@@ -55,7 +55,7 @@ namespace seiche
   {
     pic,               ///< v = N v_np1
     flip_increment,    ///< v += N (v_np1 - v_n)
-    flip_acceleration, ///< v += dt ((1-gamma) a_p + gamma N a_np1), gamma 1/2
+    flip_acceleration, ///< v += N (v_0 - v_n) + dt/2 (a_p + N a_np1)
     blend,             ///< flip_fraction flip_increment + rest pic
     xpic,              ///< v = N (v_np1 - v_n + M^-1 p by a series)
     fmpm               ///< v = N v_np1, and v_n by the series too
