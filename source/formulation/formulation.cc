@@ -16,16 +16,16 @@ namespace seiche
     {
       const char *name;
       std::unique_ptr<Formulation<dim>> (
-        *make)(const MaterialConstants &, const StabilizationParameters &);
+        *make)(const MaterialConstants &, const FormulationParameters &);
       const char *description;
     };
 
     template <int dim, typename Type>
     std::unique_ptr<Formulation<dim>>
-    make(const MaterialConstants       &material,
-         const StabilizationParameters &stabilization)
+    make(const MaterialConstants     &material,
+         const FormulationParameters &parameters)
     {
-      return std::make_unique<Type>(material, stabilization);
+      return std::make_unique<Type>(material, parameters);
     }
 
     template <int dim>
@@ -57,6 +57,12 @@ namespace seiche
                       "the transfers (Transfer/Mass) and needs 3 points per "
                       "cell and direction at least, better 4 [-]",
                       Patterns::Integer(1, max_degree));
+    prm.add_parameter("Inertia",
+                      inertia,
+                      "Mass matrix of the momentum balance: consistent, or "
+                      "lumped as in the code of the founding paper, which "
+                      "nodes with little mass stand better [-]",
+                      Patterns::Selection("consistent|lumped"));
     prm.leave_subsection();
     stabilization.add_parameters(prm);
   }
@@ -68,7 +74,7 @@ namespace seiche
   {
     for (const auto &entry : formulation_table<dim>)
       if (parameters.name == entry.name)
-        return entry.make(material, parameters.stabilization);
+        return entry.make(material, parameters);
     AssertThrow(false, ExcInternalError()); // the pattern refuses other names
     return nullptr;
   }

@@ -21,6 +21,7 @@ namespace seiche
     data.size           = dim == 2 ? std::sqrt(locator.measure(cell)) :
                                      std::cbrt(locator.measure(cell));
     data.sliver         = free_surface.sliver_treatment && fill.is_sliver(cell);
+    data.lumped         = data.sliver || formulation.lumps_inertia;
     data.extent_inertia = free_surface.point_inertia *
                           formulation.material.density *
                           fill.extent_moment(cell) * locator.measure(cell);

@@ -36,6 +36,7 @@ namespace
     cell.coefficients.jerk_constraint = dt * dt * dt / 12.;
     cell.coefficients.elastic_time    = sliver ? theta : 1.;
     cell.sliver                       = sliver;
+    cell.lumped                       = sliver || theta == 0.6;
     cell.size                         = 0.4;
     cell.start_speed                  = 1.3;
     for (unsigned int d = 0; d < dim; ++d)

@@ -35,6 +35,24 @@ namespace seiche
     }
   };
 
+  /// prm entries of the subsection "Formulation" beside the stabilization's.
+  struct FormulationParameters
+  {
+    std::string             name    = "displacement-pressure";
+    unsigned int            degree  = 1;
+    std::string             inertia = "consistent";
+    StabilizationParameters stabilization;
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    bool
+    is_mixed() const
+    {
+      return name == "displacement-pressure";
+    }
+  };
+
   /// Ratio of viscous forces to inertia in a cell, mu c_r/(rho C_a h^2), below
   /// which the tangent leaves viscous terms out.
   constexpr double negligible_viscosity = 1e-4;
@@ -54,10 +72,11 @@ namespace seiche
   class Formulation
   {
   public:
-    Formulation(const MaterialConstants       &material_constants,
-                const StabilizationParameters &stabilization_parameters)
+    Formulation(const MaterialConstants     &material_constants,
+                const FormulationParameters &parameters)
       : material(material_constants)
-      , stabilization(stabilization_parameters)
+      , stabilization(parameters.stabilization)
+      , lumps_inertia(parameters.inertia == "lumped")
     {}
 
     virtual ~Formulation() = default;
@@ -154,23 +173,7 @@ namespace seiche
 
     const MaterialConstants material;
     const Stabilization     stabilization;
-  };
-
-  /// prm entry "Formulation/Name" beside the stabilization's.
-  struct FormulationParameters
-  {
-    std::string             name   = "displacement-pressure";
-    unsigned int            degree = 1;
-    StabilizationParameters stabilization;
-
-    void
-    add_parameters(dealii::ParameterHandler &prm);
-
-    bool
-    is_mixed() const
-    {
-      return name == "displacement-pressure";
-    }
+    const bool              lumps_inertia; ///< in all cells
   };
 
   /// The table of formulations.

@@ -20,7 +20,7 @@ namespace seiche
     using Matrix                          = dealii::Tensor<2, dim, Lanes>;
 
     /// Add m N (a - b) + V_t S:grad_t w; @p stress is the whole S = s - p I.
-    /// A sliver cell takes the acceleration at the node (lumped mass).
+    /// A lumped mass takes the acceleration at the node.
     static void
     add_residual(const CellData<dim, degree> &cell,
                  const Kinematics            &point,
@@ -35,7 +35,7 @@ namespace seiche
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
             Lanes force =
-              cell.sliver ?
+              cell.lumped ?
                 mass * point.lumped(a) *
                   (cell.acceleration[i][a] - body_force[i]) :
                 mass * point.N[a] * (acceleration[i] - body_force[i]);
@@ -268,14 +268,14 @@ namespace seiche
         }
     }
 
-    /// Add m du.w, lumped in a sliver cell.
+    /// Add m du.w.
     static void
     add_inertia(CellData<dim, degree> &cell,
                 const Kinematics      &point,
                 const unsigned int     n_points,
                 const Lanes            mass)
     {
-      if (cell.sliver)
+      if (cell.lumped)
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
             const double weight = sum(mass * point.lumped(a));
