@@ -19,8 +19,6 @@ namespace seiche
     const bool         is_mixed            = scene.formulation.is_mixed();
     const bool         has_subscales = is_mixed && vms.stabilization != "none";
     const std::vector<std::pair<bool, std::string>> table = {
-      {scene.formulation.degree > 1,
-       "Formulation/Element degree = 1 (fluid that breaks up needs it)"},
       {surface.point_inertia < 1., "Free surface/Point inertia = 1"},
       {!surface.sliver_treatment, "Free surface/Sliver treatment = true"},
       {surface.acceleration < 0.1, "Free surface/Ghost acceleration = 0.1"},
@@ -33,6 +31,7 @@ namespace seiche
       {is_mixed && !has_subscales, "Formulation/Stabilization = ASGS"},
       {has_subscales && vms.continuity_factor < enough_tau2,
        fmt::format("Formulation/Tau continuity factor = {}", enough_tau2)},
+      {scene.formulation.degree > 1, "Formulation/Element degree = 1"},
       {scene.time.minimum_step > 0., "a smaller Time/Minimum step"},
       {scene.newton.tolerance < NewtonParameters().tolerance,
        "a larger Solver/Newton tolerance"},
