@@ -53,8 +53,9 @@ namespace seiche
     prm.add_parameter("Element degree",
                       degree,
                       "Degree of the elements, the same for displacement and "
-                      "pressure: 1 or 2. Degree 2 takes a consistent mass in "
-                      "the transfers (Transfer/Mass) and needs 3 points per "
+                      "pressure: 1 or 2. With 2, cells at the surface are of "
+                      "degree 1; the others take a consistent mass in "
+                      "the transfers (Transfer/Mass) and need 3 points per "
                       "cell and direction at least, better 4 [-]",
                       Patterns::Integer(1, max_degree));
     prm.add_parameter("Inertia",

@@ -80,6 +80,7 @@ namespace seiche
                Utilities::MPI::sum(total, communicator);
 
     classify(points);
+    collect_linear_cells();
     collect_ghost_faces();
   }
 
@@ -157,6 +158,15 @@ namespace seiche
     std::vector<double> values(flags.begin(), flags.end());
     occupancy.locator.exchange_to_ghosts(values);
     std::copy(values.begin(), values.end(), flags.begin());
+  }
+
+  template <int dim>
+  void
+  Fill<dim>::collect_linear_cells()
+  {
+    linear.assign(occupancy.locator.n_owned(), 0);
+    for (const unsigned int cell : occupancy.occupied_cells())
+      linear[cell] = is_cut(cell) || (gauss_in_full_cells && weight[cell] < 1.);
   }
 
   template <int dim>

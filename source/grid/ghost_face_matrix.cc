@@ -16,8 +16,8 @@ namespace seiche
     h                   = 0.5 * (locator.extent(face.lower)[face.direction] +
                locator.extent(face.upper)[face.direction]);
     if (degree == 1 && locator.level(face.lower) == locator.level(face.upper) &&
-        !occupancy.hanging().has_matrix(face.lower) &&
-        !occupancy.hanging().has_matrix(face.upper))
+        occupancy.template unknowns<degree>(face.lower).matrix == nullptr &&
+        occupancy.template unknowns<degree>(face.upper).matrix == nullptr)
       evaluate_conforming(face, occupancy);
     else
       integrate(face, occupancy);
@@ -49,8 +49,8 @@ namespace seiche
           index |= ((t >> bit++) & 1u) << d;
       return index;
     };
-    const unsigned int *lower = occupancy.cell_nodes(face.lower);
-    const unsigned int *upper = occupancy.cell_nodes(face.upper);
+    const auto lower = occupancy.template unknowns<degree>(face.lower);
+    const auto upper = occupancy.template unknowns<degree>(face.upper);
     for (unsigned int t = 0; t < n_face; ++t)
       {
         nodes[t]              = lower[corner(t, 0)];
@@ -91,17 +91,18 @@ namespace seiche
     const double           length = occupancy.locator.extent(cell)[direction];
     const Point<dim>       unit   = occupancy.locator.to_unit(cell, x);
     double                 N[n], slope[n][dim];
+    const auto             unknowns = occupancy.template unknowns<degree>(cell);
     Shape::evaluate(unit, N, slope);
     for (unsigned int a = 0; a < n; ++a)
       first[a] = sign * slope[a][direction] / length;
-    occupancy.condense(cell, first);
+    unknowns.condense(first);
     if constexpr (degree > 1)
       {
         for (unsigned int a = 0; a < n; ++a)
           second[a] = sign *
                       Shape::second_derivative(unit, a, direction, direction) /
                       (length * length);
-        occupancy.condense(cell, second);
+        unknowns.condense(second);
       }
   }
 
@@ -122,8 +123,8 @@ namespace seiche
     n_nodes = 2 * n;
     for (unsigned int a = 0; a < n; ++a)
       {
-        nodes[a]     = occupancy.cell_nodes(face.lower)[a];
-        nodes[n + a] = occupancy.cell_nodes(face.upper)[a];
+        nodes[a]     = occupancy.template unknowns<degree>(face.lower)[a];
+        nodes[n + a] = occupancy.template unknowns<degree>(face.upper)[a];
       }
     for (auto &row : B)
       std::fill(std::begin(row), std::end(row), 0.);

@@ -10,7 +10,6 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 namespace seiche
@@ -24,9 +23,8 @@ namespace seiche
   {
     n_nodes = dof_handler.get_fe().n_dofs_per_cell();
     cell_nodes.assign(locator.n_cells() * n_nodes, numbers::invalid_dof_index);
-    matrix_of_cell.assign(locator.n_cells(), -1);
+    matrix_of_cell.assign(locator.n_cells(), nullptr);
     matrices.clear();
-    known.clear();
 
     Constraints constraints(compatibility::locally_relevant_dofs(dof_handler));
     DoFTools::make_hanging_node_constraints(dof_handler, constraints);
@@ -100,24 +98,14 @@ namespace seiche
       if (is_free(a))
         nodes[a] = masters_of(a).front().first; // its column is zero
 
-    std::vector<double> matrix(n_nodes * n_nodes, 0.);
+    std::vector<double> C(n_nodes * n_nodes, 0.);
     for (unsigned int a = 0; a < n_nodes; ++a)
       if (!constraints.is_constrained(dofs[a]))
-        matrix[a * n_nodes + a] = 1.;
+        C[a * n_nodes + a] = 1.;
       else
         for (const auto &[master, weight] : masters_of(a))
-          matrix[a * n_nodes + place_of(master)] = weight;
-    matrix_of_cell[cell] = store(matrix);
-  }
-
-  template <int dim>
-  int
-  HangingNodes<dim>::store(const std::vector<double> &matrix)
-  {
-    const auto [entry, is_new] = known.emplace(matrix, matrices.size());
-    if (is_new)
-      matrices.push_back(matrix);
-    return entry->second;
+          C[a * n_nodes + place_of(master)] = weight;
+    matrix_of_cell[cell] = matrices.store(C, n_nodes);
   }
 
   template <int dim>
@@ -137,8 +125,8 @@ namespace seiche
       [&](const Iterator &iterator) -> std::optional<Packet> {
         const unsigned int cell = locator.index(iterator);
         return Packet({nodes(cell), nodes(cell) + n_nodes},
-                      has_matrix(cell) ? matrices[matrix_of_cell[cell]] :
-                                         std::vector<double>());
+                      matrix(cell) != nullptr ? matrix(cell)->dense() :
+                                                std::vector<double>());
       },
       [&](const Iterator &iterator, const Packet &packet) {
         const unsigned int cell = locator.index(iterator);
@@ -146,40 +134,8 @@ namespace seiche
                   packet.first.end(),
                   &cell_nodes[cell * n_nodes]);
         if (!packet.second.empty())
-          matrix_of_cell[cell] = store(packet.second);
+          matrix_of_cell[cell] = matrices.store(packet.second, n_nodes);
       });
-  }
-
-  template <int dim>
-  bool
-  HangingNodes<dim>::hangs(const unsigned int cell, const unsigned int a) const
-  {
-    return has_matrix(cell) &&
-           matrices[matrix_of_cell[cell]][a * n_nodes + a] != 1.;
-  }
-
-  template <int dim>
-  void
-  HangingNodes<dim>::multiply(const unsigned int cell, double *values) const
-  {
-    const double *C = matrices[matrix_of_cell[cell]].data();
-    double        result[max_nodes];
-    for (unsigned int a = 0; a < n_nodes; ++a, C += n_nodes)
-      result[a] = std::inner_product(C, C + n_nodes, values, 0.);
-    std::copy(result, result + n_nodes, values);
-  }
-
-  template <int dim>
-  void
-  HangingNodes<dim>::multiply_transposed(const unsigned int cell,
-                                         double            *values) const
-  {
-    const double *C                 = matrices[matrix_of_cell[cell]].data();
-    double        result[max_nodes] = {};
-    for (unsigned int a = 0; a < n_nodes; ++a, C += n_nodes)
-      for (unsigned int b = 0; b < n_nodes; ++b)
-        result[b] += C[b] * values[a];
-    std::copy(result, result + n_nodes, values);
   }
 
   template class HangingNodes<2>;

@@ -50,6 +50,9 @@ namespace seiche
     global_cells              = triangulation.n_global_active_cells();
     dof_handler.distribute_dofs(fe);
     hanging_nodes.reinit(dof_handler, locator);
+    if (fe.degree > 1)
+      linear_cells.reinit(dof_handler, locator, hanging_nodes);
+    reset_matrices();
 
     number_cells();
     update_places();
@@ -204,10 +207,49 @@ namespace seiche
                           communicator);
     if (Utilities::MPI::min(inside ? 1 : 0, communicator) == 0)
       number();
+    reset_matrices();
     dry.assign(n_local_nodes(), 0);
     fixed.resize(n_local_nodes());
     for (unsigned int node = 0; node < fixed.size(); ++node)
       fixed[node] = wall_components(node);
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::reset_matrices()
+  {
+    cell_matrices.resize(locator.n_cells());
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      cell_matrices[cell] = hanging_nodes.matrix(cell);
+    linear_flag.assign(locator.n_cells(), fe.degree == 1);
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::set_linear(const std::vector<char> &flags)
+  {
+    if (fe.degree == 1)
+      return;
+    std::copy(flags.begin(), flags.end(), linear_flag.begin());
+    exchange_flag(linear_flag);
+    const unsigned int n_nodes = nodes_per_cell();
+    Vector             is_mean(node_partitioner);
+    for (const unsigned int cell : occupied)
+      if (linear_flag[cell])
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          if (linear_cells.is_middle(cell, a))
+            is_mean.local_element(cell_nodes(cell)[a]) = 1.;
+    is_mean.compress(VectorOperation::add);
+    is_mean.update_ghost_values();
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      if (active_flag[cell])
+        {
+          unsigned int means = 0;
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            if (is_mean.local_element(cell_nodes(cell)[a]) > 0.)
+              means |= 1u << a;
+          cell_matrices[cell] = linear_cells.matrix(cell, means);
+        }
   }
 
   template <int dim>

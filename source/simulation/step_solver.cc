@@ -81,6 +81,7 @@ namespace seiche
   void
   StepSolver<dim>::reinit()
   {
+    occupancy.set_linear(fill.linear_cells());
     matrix.reinit(fill);
     if (!time_scheme.needs_acceleration())
       {

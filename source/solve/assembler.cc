@@ -53,34 +53,41 @@ namespace seiche
   }
 
   template <int dim>
-  template <int degree, typename AddCell, typename AddFace>
+  template <typename AddCell, typename AddFace>
   void
   Assembler<dim>::for_each_cell_and_ghost_face(const AddCell &add_cell,
                                                const AddFace &add_face)
   {
     const auto &faces = fill.ghost_faces();
     auto face = free_surface.has_ghost_penalty() ? faces.begin() : faces.end();
-    GhostFaceMatrix<dim, degree> matrix;
+    std::tuple<GhostFaceMatrix<dim, 1>, GhostFaceMatrix<dim, 2>> matrices;
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        add_cell(cell);
+        with_degree(occupancy.degree(cell),
+                    [&](const auto degree) { add_cell(cell, degree); });
         // at once, while its rows are in the cache
         for (; face != faces.end() &&
                (face->lower == cell || face->upper == cell);
              ++face)
           {
-            matrix.evaluate(*face, occupancy);
             const double size = // of the smaller cell, the face belongs to it
               std::pow(std::min(occupancy.locator.measure(face->lower),
                                 occupancy.locator.measure(face->upper)),
                        1. / dim);
-            add_face(matrix,
-                     ghost_coefficients(free_surface,
-                                        *face,
-                                        matrix.h,
-                                        formulation.material.density,
-                                        ghost_tau(size),
-                                        step.damping));
+            const auto add = [&](const auto degree) {
+              auto &matrix = std::get<degree - 1>(matrices);
+              matrix.evaluate(*face, occupancy);
+              add_face(matrix,
+                       ghost_coefficients(free_surface,
+                                          *face,
+                                          matrix.h,
+                                          formulation.material.density,
+                                          ghost_tau(size, degree),
+                                          step.damping));
+            };
+            with_degree(std::max(occupancy.degree(face->lower),
+                                 occupancy.degree(face->upper)),
+                        add);
           }
       }
     Assert(face == faces.end(), ExcInternalError());
@@ -101,9 +108,7 @@ namespace seiche
   {
     const TimerTree::Scope scope(timer, "residual");
     residual = 0.;
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
-      this->template add_residual<degree>(state, residual);
-    });
+    add_residual(state, residual);
     residual.compress(VectorOperation::add);
     if (is_closed())
       subtract_mean(residual.block(1), state.mass);
@@ -140,39 +145,38 @@ namespace seiche
                           CellData<dim, degree> &data,
                           BlockVector           &sums) const
   {
-    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    const auto nodes = occupancy.template unknowns<degree>(cell);
     for (unsigned int i = 0; i < dim; ++i)
       {
-        occupancy.condense(cell, data.residual_u[i]);
+        nodes.condense(data.residual_u[i]);
         for (unsigned int a = 0; a < data.n_nodes; ++a)
           sums.block(0).local_element(dim * nodes[a] + i) +=
             data.residual_u[i][a];
       }
     if (!formulation.has_pressure())
       return;
-    occupancy.condense(cell, data.residual_p);
+    nodes.condense(data.residual_p);
     for (unsigned int a = 0; a < data.n_nodes; ++a)
       sums.block(1).local_element(nodes[a]) += data.residual_p[a];
   }
 
   template <int dim>
-  template <int degree>
   void
   Assembler<dim>::add_residual(GridState<dim> &state, BlockVector &residual)
   {
     const bool mixed    = formulation.has_pressure();
-    const auto add_cell = [&](const unsigned int cell) {
-      CellData<dim, degree> &data = gather<degree>(cell, state);
+    const auto add_cell = [&](const unsigned int cell, const auto degree) {
+      CellData<dim, degree> &data = this->template gather<degree>(cell, state);
       formulation.residual(data);
       PointInertia<dim, degree>::add_residual(data);
-      scatter<degree>(cell, data, residual);
+      this->template scatter<degree>(cell, data, residual);
     };
-    const auto add_face = [&](const GhostFaceMatrix<dim, degree> &face,
-                              const GhostCoefficients            &coefficient) {
+    const auto add_face = [&](const auto              &face,
+                              const GhostCoefficients &coefficient) {
       const unsigned int n = face.n_nodes;
       for (unsigned int i = 0; i < dim; ++i)
         {
-          double jump[GhostFaceMatrix<dim, degree>::max_nodes];
+          double jump[std::decay_t<decltype(face)>::max_nodes];
           for (unsigned int b = 0; b < n; ++b)
             {
               const unsigned int dof = dim * face.nodes[b] + i;
@@ -202,7 +206,7 @@ namespace seiche
               coefficient.pressure * sum;
           }
     };
-    for_each_cell_and_ghost_face<degree>(add_cell, add_face);
+    for_each_cell_and_ghost_face(add_cell, add_face);
   }
 
   template <int dim>
@@ -211,49 +215,48 @@ namespace seiche
   {
     const TimerTree::Scope scope(timer, "tangent");
     matrix.set_zero();
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
-      this->template add_tangent<degree>(state, matrix);
-    });
+    add_tangent(state, matrix);
     matrix.compress();
   }
 
   template <int dim>
-  template <int degree>
   void
   Assembler<dim>::add_tangent(const GridState<dim> &state,
                               BlockMatrix<dim>     &matrix)
   {
-    CellData<dim, degree> &data = std::get<degree - 1>(workspace);
     // The matrices of full cells at rest are equal for equal cells: those of
     // the last one stay in the workspace.
     const bool       at_rest = is_at_rest(state);
     constexpr double same    = 1e-10; // equal cells differ in the last digits
-    Tensor<1, dim>   last_extent;
-    const auto       add_cell = [&](const unsigned int cell) {
-      const bool hanging = occupancy.hanging().has_matrix(cell);
+    std::array<Tensor<1, dim>, max_degree> last_extents;
+    const auto add_cell = [&](const unsigned int cell, const auto degree) {
+      CellData<dim, degree> &data        = std::get<degree - 1>(workspace);
+      Tensor<1, dim>        &last_extent = last_extents[degree - 1];
+      const bool             condensed =
+        occupancy.template unknowns<degree>(cell).matrix != nullptr;
       const bool reusable =
-        at_rest && !hanging && fill.gauss_weight(cell) == 1.;
+        at_rest && !condensed && fill.gauss_weight(cell) == 1.;
       matrix.prefetch_cell(cell);
       const Tensor<1, dim> &extent = occupancy.locator.extent(cell);
       if (!reusable || (extent - last_extent).norm() > same * extent.norm())
         {
-          gather<degree>(cell, state);
+          this->template gather<degree>(cell, state);
           formulation.tangent(data);
           PointInertia<dim, degree>::add_tangent(data);
-          if (hanging)
+          if (condensed)
             condense_tangent(cell, data);
           last_extent = reusable ? data.extent : Tensor<1, dim>();
         }
       matrix.add_cell(cell, data);
     };
-    const auto add_face = [&](const GhostFaceMatrix<dim, degree> &face,
-                              const GhostCoefficients            &coefficient) {
+    const auto add_face = [&](const auto              &face,
+                              const GhostCoefficients &coefficient) {
       matrix.add_face(face,
                       coefficient.acceleration * step.inertia +
                         coefficient.velocity * step.rate,
                       coefficient.pressure);
     };
-    for_each_cell_and_ghost_face<degree>(add_cell, add_face);
+    for_each_cell_and_ghost_face(add_cell, add_face);
   }
 
   template <int dim>
@@ -277,19 +280,19 @@ namespace seiche
   Assembler<dim>::condense_tangent(const unsigned int     cell,
                                    CellData<dim, degree> &data)
   {
-    const HangingNodes<dim> &hanging = occupancy.hanging();
+    const auto unknowns = occupancy.template unknowns<degree>(cell);
     for (unsigned int i = 0; i < dim; ++i)
       {
         for (unsigned int j = 0; j < dim; ++j)
-          hanging.condense_matrix(cell, data.uu[i][j]);
+          unknowns.condense_matrix(data.uu[i][j]);
         if (formulation.has_pressure())
           {
-            hanging.condense_matrix(cell, data.up[i]);
-            hanging.condense_matrix(cell, data.pu[i]);
+            unknowns.condense_matrix(data.up[i]);
+            unknowns.condense_matrix(data.pu[i]);
           }
       }
     if (formulation.has_pressure())
-      hanging.condense_matrix(cell, data.pp);
+      unknowns.condense_matrix(data.pp);
   }
 
   template <int dim>
@@ -312,11 +315,10 @@ namespace seiche
 
   template <int dim>
   double
-  Assembler<dim>::ghost_tau(const double size) const
+  Assembler<dim>::ghost_tau(const double size, const unsigned int degree) const
   {
     return 1. / formulation.stabilization.inverse_transient_tau(
-                  formulation.tau_arguments(
-                    step, size, occupancy.fe.degree, /*speed=*/0.));
+                  formulation.tau_arguments(step, size, degree, /*speed=*/0.));
   }
 
   template class Assembler<2>;

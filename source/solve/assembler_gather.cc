@@ -27,7 +27,7 @@ namespace seiche
                           fill.extent_moment(cell) * locator.measure(cell);
     quadrature.get(cell, data.quadrature);
 
-    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    const auto nodes = occupancy.template unknowns<degree>(cell);
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         {
@@ -41,15 +41,15 @@ namespace seiche
         }
     for (unsigned int i = 0; i < dim; ++i)
       {
-        occupancy.expand(cell, data.displacement[i]);
-        occupancy.expand(cell, data.acceleration[i]);
-        occupancy.expand(cell, data.rate_velocity[i]);
+        nodes.expand(data.displacement[i]);
+        nodes.expand(data.acceleration[i]);
+        nodes.expand(data.rate_velocity[i]);
       }
     if (state.has_pressure())
       {
         for (unsigned int a = 0; a < n_nodes; ++a)
           data.pressure[a] = state.pressure().local_element(nodes[a]);
-        occupancy.expand(cell, data.pressure);
+        nodes.expand(data.pressure);
       }
     data.orthogonal = projection != nullptr;
     if (data.orthogonal)
@@ -72,7 +72,7 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
-    const unsigned int    *nodes   = occupancy.cell_nodes(cell);
+    const auto             nodes   = occupancy.template unknowns<degree>(cell);
     double                 start_velocity[dim][n_nodes];
     Tensor<1, dim>         mean_velocity;
     for (unsigned int i = 0; i < dim; ++i)
@@ -80,7 +80,7 @@ namespace seiche
         for (unsigned int a = 0; a < n_nodes; ++a)
           start_velocity[i][a] =
             state.velocity_start.local_element(dim * nodes[a] + i);
-        occupancy.expand(cell, start_velocity[i]);
+        nodes.expand(start_velocity[i]);
         for (unsigned int a = 0; a < n_nodes; ++a)
           mean_velocity[i] += start_velocity[i][a] / n_nodes;
       }
@@ -95,7 +95,7 @@ namespace seiche
   Assembler<dim>::gather_projection(const unsigned int cell)
   {
     CellData<dim, degree> &data  = std::get<degree - 1>(workspace);
-    const unsigned int    *nodes = occupancy.cell_nodes(cell);
+    const auto             nodes = occupancy.template unknowns<degree>(cell);
     for (unsigned int a = 0; a < data.n_nodes; ++a)
       {
         for (unsigned int i = 0; i < dim; ++i)
@@ -105,8 +105,8 @@ namespace seiche
           projection->block(1).local_element(nodes[a]);
       }
     for (unsigned int i = 0; i < dim; ++i)
-      occupancy.expand(cell, data.projected_momentum[i]);
-    occupancy.expand(cell, data.projected_constraint);
+      nodes.expand(data.projected_momentum[i]);
+    nodes.expand(data.projected_constraint);
   }
 
   template <int dim>

@@ -24,6 +24,36 @@ namespace seiche
     }
   } // namespace
 
+  /// Entries of a cell's pairs of unknowns.
+  template <int dim>
+  template <int degree>
+  struct BlockMatrix<dim>::CellEntries
+  {
+    static constexpr unsigned int n = TensorShape<dim, degree>::n_nodes;
+
+    std::size_t          row[n];
+    const std::uint16_t *table[n]; ///< row of the cell's table
+    unsigned int         place[n];
+
+    CellEntries(const NodePattern<dim> &pattern, const unsigned int cell)
+    {
+      const auto nodes = pattern.occupancy.template unknowns<degree>(cell);
+      const unsigned int n_list = pattern.occupancy.nodes_per_cell();
+      for (unsigned int a = 0; a < n; ++a)
+        {
+          row[a]   = pattern.row_begin(nodes[a]);
+          place[a] = nodes.place(a);
+          table[a] = pattern.cell_entries(cell) + place[a] * n_list;
+        }
+    }
+
+    std::size_t
+    operator()(const unsigned int a, const unsigned int b) const
+    {
+      return row[a] + table[a][place[b]];
+    }
+  };
+
   template <int dim>
   BlockMatrix<dim>::BlockMatrix(const Occupancy<dim> &grid_occupancy,
                                 const bool            pressure)
@@ -61,18 +91,18 @@ namespace seiche
   void
   BlockMatrix<dim>::prefetch_cell(const unsigned int cell) const
   {
-    const unsigned int  *nodes   = occupancy.cell_nodes(cell);
-    const std::uint16_t *entries = pattern.cell_entries(cell);
-    const unsigned int   n       = n_fields();
-    const unsigned int   n_nodes = occupancy.nodes_per_cell();
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int b = 0; b < n_nodes; ++b)
-        {
-          const std::size_t entry = pattern.row_begin(nodes[a]) + *entries++;
-          fetch(&displacement_columns[entry * dim * n], dim * n);
-          if (with_pressure)
-            fetch(&pressure_column[entry * n], n);
-        }
+    const unsigned int n = n_fields();
+    with_degree(occupancy.degree(cell), [&](const auto degree) {
+      const CellEntries<degree> entries(pattern, cell);
+      for (unsigned int a = 0; a < entries.n; ++a)
+        for (unsigned int b = 0; b < entries.n; ++b)
+          {
+            const std::size_t entry = entries(a, b);
+            fetch(&displacement_columns[entry * dim * n], dim * n);
+            if (with_pressure)
+              fetch(&pressure_column[entry * n], n);
+          }
+    });
   }
 
   template <int dim>
@@ -93,10 +123,10 @@ namespace seiche
   BlockMatrix<dim>::add_cell_fields(const unsigned int           cell,
                                     const CellData<dim, degree> &data)
   {
-    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
-    const unsigned int    *nodes   = occupancy.cell_nodes(cell);
-    const std::uint16_t   *entries = pattern.cell_entries(cell);
-    double                 free[dim][n_nodes]; // 0 where a wall fixes
+    constexpr unsigned int    n_nodes = CellData<dim, degree>::n_nodes;
+    const auto                nodes = occupancy.template unknowns<degree>(cell);
+    const CellEntries<degree> entries(pattern, cell);
+    double                    free[dim][n_nodes]; // 0 where a wall fixes
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         free[i][a] = occupancy.fixed_components(nodes[a]) & (1u << i) ? 0. : 1.;
@@ -104,7 +134,7 @@ namespace seiche
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int b = 0; b < n_nodes; ++b)
         {
-          const std::size_t entry = pattern.row_begin(nodes[a]) + *entries++;
+          const std::size_t entry = entries(a, b);
           double           *to    = &displacement_columns[entry * dim * n];
           for (unsigned int j = 0; j < dim; ++j, to += n)
             {

@@ -40,12 +40,19 @@ namespace seiche
     return std::all_of(cells.begin(),
                        cells.end(),
                        [&](const unsigned int cell) {
-                         return covered_cells[cell];
+                         return covered_cells[cell] >= occupancy.degree(cell);
                        }) &&
            std::all_of(faces.begin(), faces.end(), [&](const GhostFace &face) {
              return covered_faces[face_index(
-               face.lower, face.upper, face.direction)];
+                      face.lower, face.upper, face.direction)] >= degree(face);
            });
+  }
+
+  template <int dim>
+  unsigned int
+  NodePattern<dim>::degree(const GhostFace &face) const
+  {
+    return std::max(occupancy.degree(face.lower), occupancy.degree(face.upper));
   }
 
   template <int dim>
@@ -67,23 +74,28 @@ namespace seiche
     // Groups of mutually coupled nodes: cells, pairs of cells across ghost
     // faces, each node alone.
     std::vector<unsigned int> group_begin = {0}, group_nodes;
-    const auto                add_nodes   = [&](const unsigned int cell) {
-      const unsigned int *nodes = occupancy.cell_nodes(cell);
-      group_nodes.insert(group_nodes.end(), nodes, nodes + n_nodes);
+    const auto                add_nodes   = [&](const unsigned int cell,
+                               const unsigned int with) {
+      with_degree(with, [&](const auto degree) {
+        const auto nodes = occupancy.template unknowns<degree>(cell);
+        for (unsigned int a = 0; a < TensorShape<dim, degree>::n_nodes; ++a)
+          group_nodes.push_back(nodes[a]);
+      });
     };
     covered_cells.assign(occupancy.locator.n_owned(), 0);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        covered_cells[cell] = 1;
-        add_nodes(cell);
+        covered_cells[cell] = occupancy.degree(cell);
+        add_nodes(cell, occupancy.degree(cell));
         group_begin.push_back(group_nodes.size());
       }
     covered_faces.assign(occupancy.locator.n_cells() * 2 * dim, 0);
     for (const GhostFace &face : fill.ghost_faces())
       {
-        covered_faces[face_index(face.lower, face.upper, face.direction)] = 1;
-        add_nodes(face.lower);
-        add_nodes(face.upper);
+        covered_faces[face_index(face.lower, face.upper, face.direction)] =
+          degree(face);
+        add_nodes(face.lower, degree(face));
+        add_nodes(face.upper, degree(face));
         group_begin.push_back(group_nodes.size());
       }
 
@@ -134,11 +146,15 @@ namespace seiche
     scatter.resize(occupancy.locator.n_owned() * n_pairs);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        const unsigned int *node  = occupancy.cell_nodes(cell);
-        std::uint16_t      *table = &scatter[cell * n_pairs];
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          for (unsigned int b = 0; b < n_nodes; ++b)
-            *table++ = entry(node[a], node[b]) - begin_of_row[node[a]];
+        std::uint16_t *table = &scatter[cell * n_pairs];
+        with_degree(occupancy.degree(cell), [&](const auto degree) {
+          constexpr unsigned int n = TensorShape<dim, degree>::n_nodes;
+          const auto node          = occupancy.template unknowns<degree>(cell);
+          for (unsigned int a = 0; a < n; ++a)
+            for (unsigned int b = 0; b < n; ++b)
+              table[node.place(a) * n_nodes + node.place(b)] =
+                entry(node[a], node[b]) - begin_of_row[node[a]];
+        });
       }
   }
 

@@ -170,6 +170,57 @@ namespace seiche
           }
     }
 
+    /// Faces of a cell on closed walls, and where a step takes them.
+    template <int dim, int degree>
+    class WallFaces
+    {
+    public:
+      explicit WallFaces(const Occupancy<dim> &grid_occupancy)
+        : occupancy(grid_occupancy)
+      {}
+
+      void
+      reinit(const unsigned int cell, const CellField<dim, degree> &u)
+      {
+        const auto      &locator  = occupancy.locator;
+        const auto       nodes    = occupancy.template unknowns<degree>(cell);
+        constexpr double infinite = std::numeric_limits<double>::max();
+        const auto       corner   = locator.lower_corner(cell);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double length = locator.extent(cell)[d];
+            inverse[d]          = 1. / length;
+            lower[d]            = -infinite;
+            upper[d]            = infinite;
+            for (unsigned int side = 0; side < 2; ++side)
+              {
+                const auto wall = locator.boundary_id(cell, 2 * d + side);
+                if (wall == dealii::numbers::internal_face_boundary_id ||
+                    locator.grid.wall_condition(wall) == WallCondition::open)
+                  continue;
+                for (unsigned int a = 0; a < u.n_nodes; ++a)
+                  if (TensorShape<dim, degree>::place(a, d) == side * degree &&
+                      (occupancy.fixed_components(nodes[a]) >> d & 1u))
+                    (side == 0 ? lower : upper)[d] =
+                      corner[d] + side * length + u.values[d][a];
+              }
+          }
+      }
+
+      /// Cells that coordinate @p x of direction d is behind a wall; 0: it is
+      /// not.
+      double
+      way_beyond(const unsigned int d, const double x) const
+      {
+        return std::max(
+          {0., (lower[d] - x) * inverse[d], (x - upper[d]) * inverse[d]});
+      }
+
+    private:
+      const Occupancy<dim>   &occupancy;
+      std::array<double, dim> lower, upper, inverse;
+    };
+
     /// True if no point of a cell with these displacements can move farther
     /// than @p limit times reach or change its volume by more than a third:
     /// gradients and values of FE_Q(1) lie between those of edges and nodes.
@@ -208,9 +259,11 @@ namespace seiche
                        const PointCloud<dim> &points,
                        const double           limit) const
   {
-    return with_degree(occupancy.fe.degree, [&](const auto degree) {
-      return this->template check_step<degree>(state, points, limit);
+    StepCheck result;
+    occupancy.for_each_degree([&](const auto degree) {
+      this->template check_cells<degree>(state, points, limit, result);
     });
+    return result.of_all_ranks(points.communicator);
   }
 
 
@@ -221,20 +274,27 @@ namespace seiche
                                 PointCloud<dim>      &points,
                                 const double          held_beyond) const
   {
-    return with_degree(occupancy.fe.degree, [&](const auto degree) {
-      return this->template move_points<degree>(
-        state, points, HeldPoints<dim>(points.locator, held_beyond));
+    const HeldPoints<dim>                 held(points.locator, held_beyond);
+    const typename GridState<dim>::Vector volume_change =
+      mean_volume ? nodal_volume_change(fill, points, state) :
+                    typename GridState<dim>::Vector();
+    std::size_t n_held = 0;
+    occupancy.for_each_degree([&](const auto degree) {
+      n_held +=
+        this->template move_points<degree>(state, volume_change, held, points);
     });
+    return n_held;
   }
 
 
 
   template <int dim>
   template <int degree>
-  StepCheck
-  Transfer<dim>::check_step(const GridState<dim>  &state,
-                            const PointCloud<dim> &points,
-                            const double           limit) const
+  void
+  Transfer<dim>::check_cells(const GridState<dim>  &state,
+                             const PointCloud<dim> &points,
+                             const double           limit,
+                             StepCheck             &result) const
   {
     const PointArrays<dim, const PointCloud<dim>> arrays(points);
     const CellLocator<dim>                       &locator = points.locator;
@@ -242,21 +302,23 @@ namespace seiche
 
     CellField<dim, degree> u;
     Block<dim, degree>     block;
-    double                 min_det = std::numeric_limits<double>::max();
-    double                 max_u   = 0.;
+    WallFaces<dim, degree> walls(occupancy);
+    double                 min_det = result.min_det_F;
+    double                 max_u   = result.max_displacement;
+    double                 beyond  = result.beyond_wall;
     double                 sum     = 0.; // not finite if any value is not
     for_each_block(
       occupancy,
       points,
       [&](const unsigned int cell) {
+        if (occupancy.degree(cell) != degree)
+          return false;
         u.gather(displacement, occupancy, cell);
         if constexpr (degree == 1)
-          return !is_gentle(u,
-                            locator.extent(cell),
-                            locator.reach(cell),
-                            limit);
-        else
-          return true;
+          if (is_gentle(u, locator.extent(cell), locator.reach(cell), limit))
+            return false;
+        walls.reinit(cell, u);
+        return true;
       },
       [&](const unsigned int cell,
           const std::size_t  first,
@@ -295,24 +357,17 @@ namespace seiche
                 max_u = std::max(max_u, std::abs(moved[l]) / reach[c]);
                 sum += moved[l];
               }
+            for (unsigned int l = 0; l < n_filled; ++l)
+              beyond = std::max(
+                beyond,
+                walls.way_beyond(c, arrays.position[c][first + l] + moved[l]));
           }
       });
 
-    std::array<double, 3> worst = {
-      {-min_det, max_u, std::isfinite(sum) ? 0. : 1.}};
-    if (dealii::Utilities::MPI::n_mpi_processes(points.communicator) > 1)
-      {
-        const std::array<double, 3> own = worst;
-        dealii::Utilities::MPI::max(
-          dealii::ArrayView<const double>(own.data(), own.size()),
-          points.communicator,
-          dealii::ArrayView<double>(worst.data(), worst.size()));
-      }
-    StepCheck result;
-    result.min_det_F        = -worst[0];
-    result.max_displacement = worst[1];
-    result.finite           = worst[2] == 0.;
-    return result;
+    result.min_det_F        = min_det;
+    result.max_displacement = max_u;
+    result.beyond_wall      = beyond;
+    result.finite           = result.finite && std::isfinite(sum);
   }
 
 
@@ -320,9 +375,11 @@ namespace seiche
   template <int dim>
   template <int degree>
   std::size_t
-  Transfer<dim>::move_points(const GridState<dim>  &state,
-                             PointCloud<dim>       &points,
-                             const HeldPoints<dim> &held) const
+  Transfer<dim>::move_points(
+    const GridState<dim>                  &state,
+    const typename GridState<dim>::Vector &volume_change,
+    const HeldPoints<dim>                 &held,
+    PointCloud<dim>                       &points) const
   {
     const PointArrays<dim, PointCloud<dim>> arrays(points);
     const CellLocator<dim>                 &locator = points.locator;
@@ -335,29 +392,28 @@ namespace seiche
     VelocityRule<dim, degree> rule(method, parameters, state);
     CellField<dim, degree>    u;
     double                    p_nodal[n_nodes] = {}, volume_nodal[n_nodes] = {};
-    const typename GridState<dim>::Vector volume_change =
-      mean_volume ? nodal_volume_change(fill, points, state) :
-                    typename GridState<dim>::Vector();
-    Block<dim, degree> block;
-    std::size_t        n_held = 0;
+    Block<dim, degree>        block;
+    std::size_t               n_held = 0;
     for_each_block(
       occupancy,
       points,
       [&](const unsigned int cell) {
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        if (occupancy.degree(cell) != degree)
+          return false;
+        const auto nodes = occupancy.template unknowns<degree>(cell);
         u.gather(displacement, occupancy, cell);
         rule.gather(occupancy, cell);
         if (mean_volume)
           {
             for (unsigned int i = 0; i < n_nodes; ++i)
               volume_nodal[i] = volume_change.local_element(nodes[i]);
-            occupancy.expand(cell, volume_nodal);
+            nodes.expand(volume_nodal);
           }
         if (with_pressure)
           {
             for (unsigned int i = 0; i < n_nodes; ++i)
               p_nodal[i] = pressure[nodes[i]];
-            occupancy.expand(cell, p_nodal);
+            nodes.expand(p_nodal);
           }
         return true;
       },

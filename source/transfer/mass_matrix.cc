@@ -29,10 +29,12 @@ namespace seiche
   MassMatrix<dim>::MassMatrix(const PointCloud<dim> &cloud,
                               const Fill<dim>       &grid_fill,
                               const double           density,
-                              const bool             ghost_penalty)
+                              const bool             ghost_penalty,
+                              const Vector          *masses_of_linear_cells)
     : points(cloud)
     , fill(grid_fill)
     , occupancy(grid_fill.occupancy)
+    , linear_masses(masses_of_linear_cells)
   {
     with_degree(occupancy.fe.degree, [&](const auto degree) {
       this->template collect_cells<degree>();
@@ -50,7 +52,9 @@ namespace seiche
     for (unsigned int i = 0; i < inverse_diagonal.locally_owned_size(); ++i)
       {
         double &value = inverse_diagonal.local_element(i);
-        value         = value > 0. ? 1. / value : 0.;
+        if (linear_masses != nullptr)
+          value += linear_masses->local_element(i / dim);
+        value = value > 0. ? 1. / value : 0.;
       }
   }
 
@@ -64,6 +68,8 @@ namespace seiche
     const double          *mass    = points.data(PointColumn::mass);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
+        if (is_lumped(cell))
+          continue;
         double matrix[n_nodes][n_nodes] = {}, N[n_nodes];
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
@@ -74,7 +80,7 @@ namespace seiche
               for (unsigned int b = 0; b < n_nodes; ++b)
                 matrix[a][b] += mass[p] * N[a] * N[b];
           }
-        occupancy.hanging().condense_matrix(cell, matrix);
+        occupancy.template unknowns<degree>(cell).condense_matrix(matrix);
         const unsigned int *nodes = occupancy.cell_nodes(cell);
         blocks.push_back({{nodes, nodes + n_nodes},
                           {&matrix[0][0], &matrix[0][0] + n_nodes * n_nodes}});
@@ -93,6 +99,8 @@ namespace seiche
       [&](const unsigned int lower,
           const unsigned int upper,
           const unsigned int direction) {
+        if (is_lumped(lower) && is_lumped(upper))
+          return;
         face_matrix.evaluate({lower, upper, direction, /*thin=*/false},
                              occupancy);
         const unsigned int n = face_matrix.n_nodes;
@@ -131,6 +139,8 @@ namespace seiche
     double                 N[n_nodes];
     for (const unsigned int cell : occupancy.occupied_cells())
       {
+        if (is_lumped(cell))
+          continue;
         double sum[dim][n_nodes] = {};
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
@@ -176,6 +186,10 @@ namespace seiche
       }
     dst.compress(VectorOperation::add);
     src.zero_out_ghost_values();
+    if (linear_masses != nullptr)
+      for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
+        dst.local_element(i) +=
+          linear_masses->local_element(i / dim) * src.local_element(i);
     for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
       if (inverse_diagonal.local_element(i) == 0.)
         dst.local_element(i) = src.local_element(i);

@@ -219,7 +219,7 @@ namespace seiche
                      const unsigned int                             cell)
     {
       constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
-      const unsigned int    *nodes   = occupancy.cell_nodes(cell);
+      const auto             nodes = occupancy.template unknowns<degree>(cell);
       CellSums<dim, degree>  sums;
       for (std::size_t p = points.first_point(cell);
            p < points.first_point(cell + 1);
@@ -228,7 +228,7 @@ namespace seiche
           const dealii::Point<dim> x = points.position(p);
           double                   N[n_nodes];
           TensorShape<dim, degree>::hats(points.locator.to_unit(cell, x), N);
-          occupancy.condense(cell, N);
+          nodes.condense(N);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
               N[i] *= arrays.mass[p];
@@ -255,10 +255,10 @@ namespace seiche
 
     template <int dim, int degree, bool with_acceleration>
     void
-    sum_all_cells(const PointCloud<dim> &points,
-                  const Occupancy<dim>  &occupancy,
-                  const GradientUse      gradient,
-                  GridState<dim>        &state)
+    add_cells(const PointCloud<dim> &points,
+              const Occupancy<dim>  &occupancy,
+              const GradientUse      gradient,
+              GridState<dim>        &state)
     {
       constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
       const PointArrays<dim, const PointCloud<dim>> arrays(points);
@@ -270,12 +270,15 @@ namespace seiche
       double *acceleration = state.acceleration_n.begin();
       for (const unsigned int cell : occupancy.occupied_cells())
         {
+          if (occupancy.degree(cell) != degree)
+            continue;
+          const auto nodes = occupancy.template unknowns<degree>(cell);
           const PointVelocity<dim>    velocity(arrays, gradient, points, cell);
           const auto                  sum = velocity.is_affine() ?
                                               sum_cell<dim, degree, true, with_acceleration> :
                                               sum_cell<dim, degree, false, with_acceleration>;
           const CellSums<dim, degree> sums =
-            occupancy.hanging().has_matrix(cell) ?
+            nodes.matrix != nullptr ?
               sum_hanging_cell<dim, degree, with_acceleration>(
                 arrays, velocity, points, occupancy, cell) :
               sum(arrays,
@@ -284,7 +287,6 @@ namespace seiche
                   points.first_point(cell + 1),
                   locator.lower_corner(cell),
                   locator.extent(cell));
-          const unsigned int *nodes = occupancy.cell_nodes(cell);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
               mass[nodes[i]] += sums.mass[i];
@@ -297,6 +299,41 @@ namespace seiche
                 }
             }
         }
+    }
+
+
+
+    /// Masses of the nodes, and sums in place of the fields that are means
+    /// weighted by them. Collective.
+    template <int dim>
+    void
+    sum_cells(const PointCloud<dim> &points,
+              const Occupancy<dim>  &occupancy,
+              const GradientUse      gradient,
+              const bool             linear_cells_only,
+              GridState<dim>        &state)
+    {
+      const bool with_acceleration = state.acceleration_n.size() > 0 &&
+                                     points.has(PointColumn::acceleration);
+      using Vector               = typename GridState<dim>::Vector;
+      std::vector<Vector *> sums = {&state.mass,
+                                    &state.pressure_guess,
+                                    &state.velocity_n};
+      if (state.acceleration_n.size() > 0)
+        sums.push_back(&state.acceleration_n);
+      for (Vector *vector : sums)
+        {
+          *vector = 0.; // own entries
+          vector->zero_out_ghost_values();
+        }
+      occupancy.for_each_degree([&](const auto degree) {
+        const auto add = with_acceleration ? add_cells<dim, degree, true> :
+                                             add_cells<dim, degree, false>;
+        if (degree == 1 || !linear_cells_only)
+          add(points, occupancy, gradient, state);
+      });
+      for (Vector *vector : sums)
+        vector->compress(dealii::VectorOperation::add);
     }
 
 
@@ -335,28 +372,17 @@ namespace seiche
   {
     const bool with_acceleration =
       state.acceleration_n.size() > 0 && points.has(PointColumn::acceleration);
-    using Vector               = typename GridState<dim>::Vector;
-    std::vector<Vector *> sums = {&state.mass,
-                                  &state.pressure_guess,
-                                  &state.velocity_n};
-    if (state.acceleration_n.size() > 0)
-      sums.push_back(&state.acceleration_n);
-    for (Vector *vector : sums)
-      {
-        *vector = 0.; // own entries
-        vector->zero_out_ghost_values();
-      }
-
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
-      const auto sum = with_acceleration ? sum_all_cells<dim, degree, true> :
-                                           sum_all_cells<dim, degree, false>;
-      sum(points, occupancy, method.gradient, state);
-    });
-    for (Vector *vector : sums)
-      vector->compress(dealii::VectorOperation::add);
+    sum_cells(points,
+              occupancy,
+              method.gradient,
+              /*linear_cells_only=*/false,
+              state);
     divide_by_mass(occupancy, with_acceleration, state);
-    for (Vector *vector : sums)
-      vector->update_ghost_values();
+    state.mass.update_ghost_values();
+    state.pressure_guess.update_ghost_values();
+    state.velocity_n.update_ghost_values();
+    if (state.acceleration_n.size() > 0)
+      state.acceleration_n.update_ghost_values();
     improve_velocity(points, state);
     if (with_acceleration)
       {
@@ -374,33 +400,66 @@ namespace seiche
   Transfer<dim>::improve_velocity(const PointCloud<dim> &points,
                                   GridState<dim>        &state) const
   {
-    using Vector          = typename GridState<dim>::Vector;
-    const bool consistent = parameters.is_consistent(occupancy.fe.degree);
-    const bool series     = method.update == VelocityUpdate::fmpm ||
-                        method.update == VelocityUpdate::xpic;
-    if (!consistent && !series)
-      return;
-    const MassMatrix<dim> mass(points, fill, density, consistent);
-    Vector                momentum;
-    mass.right_hand_side(PointColumn::velocity, momentum);
-    if (consistent)
-      mass.solve(state.velocity_n, momentum);
-    if (series)
-      {
-        Vector velocity(state.velocity_n);
-        mass.expand(velocity, momentum, state.mass, parameters.order - 1);
-        velocity.update_ghost_values();
-        if (method.update == VelocityUpdate::fmpm)
-          state.velocity_n = velocity;
-        else
-          state.velocity_series = velocity;
-      }
+    if (parameters.is_consistent(occupancy.fe.degree))
+      find_closest(points, state);
+    if (method.update == VelocityUpdate::fmpm ||
+        method.update == VelocityUpdate::xpic)
+      expand_series(points, state);
     state.velocity_n.update_ghost_values();
-    if (consistent && state.acceleration_n.size() > 0)
-      {
-        mass.right_hand_side(PointColumn::acceleration, momentum);
-        mass.solve(state.acceleration_n, momentum);
-      }
+  }
+
+
+
+  template <int dim>
+  void
+  Transfer<dim>::find_closest(const PointCloud<dim> &points,
+                              GridState<dim>        &state) const
+  {
+    const bool     lumps = parameters.lumps_linear_cells();
+    GridState<dim> lumped; // of linear cells
+    lumped.reinit(occupancy, false, state.acceleration_n.size() > 0);
+    if (lumps)
+      sum_cells(points,
+                occupancy,
+                method.gradient,
+                /*linear_cells_only=*/true,
+                lumped);
+    const MassMatrix<dim> mass(points,
+                               fill,
+                               density,
+                               /*ghost_penalty=*/true,
+                               lumps ? &lumped.mass : nullptr);
+    const auto            solve = [&](const PointColumn                      column,
+                           const typename GridState<dim>::Vector &sum,
+                           typename GridState<dim>::Vector       &result) {
+      typename GridState<dim>::Vector momentum;
+      mass.right_hand_side(column, momentum);
+      momentum += sum;
+      mass.solve(result, momentum);
+    };
+    solve(PointColumn::velocity, lumped.velocity_n, state.velocity_n);
+    if (state.acceleration_n.size() > 0)
+      solve(PointColumn::acceleration,
+            lumped.acceleration_n,
+            state.acceleration_n);
+  }
+
+
+
+  template <int dim>
+  void
+  Transfer<dim>::expand_series(const PointCloud<dim> &points,
+                               GridState<dim>        &state) const
+  {
+    using Vector = typename GridState<dim>::Vector;
+    const MassMatrix<dim> mass(
+      points, fill, density, /*ghost_penalty=*/false, /*lumped=*/nullptr);
+    Vector momentum, velocity(state.velocity_n);
+    mass.right_hand_side(PointColumn::velocity, momentum);
+    mass.expand(velocity, momentum, state.mass, parameters.order - 1);
+    velocity.update_ghost_values();
+    (method.update == VelocityUpdate::fmpm ? state.velocity_n :
+                                             state.velocity_series) = velocity;
   }
 
 

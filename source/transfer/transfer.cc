@@ -118,8 +118,9 @@ namespace seiche
                       "Mass matrix from points to grid. lumped; consistent: "
                       "nodal velocities are those closest to the points', one "
                       "solve a step, without the affine parts of Method; "
-                      "automatic: lumped for Element degree 1, consistent for "
-                      "2.",
+                      "automatic: lumped in cells of degree 1, which with "
+                      "Element degree 2 are those at the surface, consistent "
+                      "in cells of degree 2.",
                       dealii::Patterns::Selection(
                         "automatic|lumped|consistent"));
     prm.leave_subsection();
@@ -157,6 +158,8 @@ namespace seiche
   std::string
   StepCheck::problem(const double limit, const bool holds_points) const
   {
+    // up to this a point is put on the wall (CellLocator)
+    constexpr double wall_tolerance = 1e-10;
     if (!finite)
       return "a point's new position or velocity is not finite";
     if (holds_points)
@@ -166,7 +169,31 @@ namespace seiche
                          min_det_F);
     if (max_displacement > limit)
       return fmt::format("a point moves by {:.3g} cells", max_displacement);
+    if (beyond_wall > wall_tolerance)
+      return fmt::format("a point goes through a wall by {:.3g} cells",
+                         beyond_wall);
     return "";
+  }
+
+
+
+  StepCheck
+  StepCheck::of_all_ranks(const MPI_Comm communicator) const
+  {
+    const std::array<double, 4> own = {
+      {-min_det_F, max_displacement, beyond_wall, finite ? 0. : 1.}};
+    std::array<double, 4> worst = own;
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+      dealii::Utilities::MPI::max(
+        dealii::ArrayView<const double>(own.data(), own.size()),
+        communicator,
+        dealii::ArrayView<double>(worst.data(), worst.size()));
+    StepCheck result;
+    result.min_det_F        = -worst[0];
+    result.max_displacement = worst[1];
+    result.beyond_wall      = worst[2];
+    result.finite           = worst[3] == 0.;
+    return result;
   }
 
 

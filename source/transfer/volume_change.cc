@@ -68,6 +68,8 @@ namespace seiche
       double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes], det[n_lanes];
       for (const unsigned int cell : occupancy.occupied_cells())
         {
+          if (occupancy.degree(cell) != degree)
+            continue;
           u.gather(state.displacement().begin(), occupancy, cell);
           const double      gauss           = fill.gauss_weight(cell);
           double            shares[n_nodes] = {}, volume = 0., volume_then = 0.;
@@ -104,13 +106,13 @@ namespace seiche
           double sums[n_nodes];
           for (unsigned int a = 0; a < n_nodes; ++a)
             sums[a] = change * shares[a];
-          occupancy.condense(cell, sums);
-          occupancy.condense(cell, shares);
+          const auto nodes = occupancy.template unknowns<degree>(cell);
+          nodes.condense(sums);
+          nodes.condense(shares);
           for (unsigned int a = 0; a < n_nodes; ++a)
             {
-              const unsigned int node = occupancy.cell_nodes(cell)[a];
-              sum.local_element(node) += sums[a];
-              weight.local_element(node) += shares[a];
+              sum.local_element(nodes[a]) += sums[a];
+              weight.local_element(nodes[a]) += shares[a];
             }
         }
     }
@@ -125,7 +127,7 @@ namespace seiche
     const Occupancy<dim>           &occupancy = fill.occupancy;
     typename GridState<dim>::Vector result(occupancy.scalar_partitioner()),
       weight(occupancy.scalar_partitioner());
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
+    occupancy.for_each_degree([&](const auto degree) {
       add_cells<dim, decltype(degree)::value>(
         fill, points, state, result, weight);
     });

@@ -19,6 +19,7 @@ sys.path.insert(0, str(HERE.parent / "ranks"))
 from compare_ranks import TOLERANCE, difference, read_columns  # noqa: E402
 
 SCENE_2D = str(HERE / "dam_break_2d.prm")
+SCENE_QUADRATIC = str(HERE / "dam_break_2d_quadratic.prm")
 SCENE_3D = str(HERE / "column_3d.prm")
 SCENE_PISTON = str(HERE / "piston_2d.prm")
 SCENE_ADAPTIVE = str(HERE / "adaptive_2d.prm")
@@ -75,6 +76,10 @@ def exact_2d(make, folder, ranks):
     totals = summary(f"{folder}/whole")
     assert totals["rejected_steps"] > 0, "the scene shall repeat a step"
     assert totals["ledger"]["outflow_points"] > 0, "no point has left"
+
+
+def exact_quadratic(make, folder, ranks):
+    exact(make(SCENE_QUADRATIC, ranks), folder, ROWS, ["0.235", "0.275"])
 
 
 def exact_piston(make, folder, ranks):
@@ -264,6 +269,8 @@ def stopped_at_start(make, folder, _):
 
 
 CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
+         "exact_quadratic": (exact_quadratic, 1),
+         "exact_quadratic_2_ranks": (exact_quadratic, 2),
          "exact_piston": (exact_piston, 1),
          "exact_3d": (exact_3d, 1), "exact_3d_2_ranks": (exact_3d, 2),
          "exact_ml_2_ranks": (exact_ml, 2),

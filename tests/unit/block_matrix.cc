@@ -46,16 +46,14 @@ namespace
     matrix.set_zero();
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        const HangingNodes<dim> &hanging = occupancy.hanging();
-        const Point<dim>         corner  = occupancy.locator.lower_corner(cell);
-        const auto               entry =
+        const Point<dim> corner = occupancy.locator.lower_corner(cell);
+        const auto       entry =
           [&](auto &block, const double shift, const double diagonal) {
             for (unsigned int a = 0; a < CellData<dim, 1>::n_nodes; ++a)
               for (unsigned int b = 0; b < CellData<dim, 1>::n_nodes; ++b)
                 block[a][b] = std::cos(a + 2. * b + shift + corner[0]) +
                               (a == b ? diagonal : 0.);
-            if (hanging.has_matrix(cell))
-              hanging.condense_matrix(cell, block);
+            occupancy.template unknowns<1>(cell).condense_matrix(block);
           };
         for (unsigned int i = 0; i < dim; ++i)
           {

@@ -64,6 +64,13 @@ namespace seiche
       return flags[cell] & sliver;
     }
 
+    /// Own cells on which elements of degree 2 are multilinear: at the surface.
+    const std::vector<char> &
+    linear_cells() const
+    {
+      return linear;
+    }
+
     /// Second moments of the points' own extent in an own cell: (1 - w) s^2/12
     /// of its fill [-]. A point is taken as a box of the cell's shape with s
     /// times its edges, so that it holds the mean volume of the cell's points;
@@ -124,10 +131,13 @@ namespace seiche
     classify(const PointCloud<dim> &points);
     void
     collect_ghost_faces();
+    void
+    collect_linear_cells();
 
     const bool                 gauss_in_full_cells;
     std::vector<double>        weight, fill, extent_moments;
     std::vector<unsigned char> flags;
+    std::vector<char>          linear;
     Vector                     node_fill;
     std::vector<GhostFace>     faces;
     double                     overfull = 0.;

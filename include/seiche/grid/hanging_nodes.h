@@ -2,6 +2,7 @@
 #ifndef seiche_grid_hanging_nodes_h
 #define seiche_grid_hanging_nodes_h
 
+#include <seiche/grid/node_matrix.h>
 #include <seiche/points/cell_locator.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -44,52 +45,18 @@ namespace seiche
       return cell_nodes.data() + cell * n_nodes;
     }
 
-    /// True if some node of the cell hangs.
-    bool
-    has_matrix(const unsigned int cell) const
+    /// C of a cell, or null: no node of it hangs.
+    const NodeMatrix *
+    matrix(const unsigned int cell) const
     {
-      return matrix_of_cell[cell] >= 0;
+      return matrix_of_cell[cell];
     }
 
     /// True if node a of the cell hangs.
     bool
-    hangs(const unsigned int cell, const unsigned int a) const;
-
-    /// values <- C values [n_nodes]
-    void
-    expand(const unsigned int cell, double *values) const
+    hangs(const unsigned int cell, const unsigned int a) const
     {
-      if (has_matrix(cell))
-        multiply(cell, values);
-    }
-
-    /// values <- C^T values [n_nodes]
-    void
-    condense(const unsigned int cell, double *values) const
-    {
-      if (has_matrix(cell))
-        multiply_transposed(cell, values);
-    }
-
-    /// matrix <- C^T matrix C, [n][n] with n = n_nodes
-    template <unsigned int n>
-    void
-    condense_matrix(const unsigned int cell, double (&matrix)[n][n]) const
-    {
-      AssertDimension(n, n_nodes);
-      if (!has_matrix(cell))
-        return;
-      double column[n];
-      for (unsigned int b = 0; b < n; ++b)
-        {
-          for (unsigned int a = 0; a < n; ++a)
-            column[a] = matrix[a][b];
-          multiply_transposed(cell, column);
-          for (unsigned int a = 0; a < n; ++a)
-            matrix[a][b] = column[a];
-        }
-      for (unsigned int a = 0; a < n; ++a)
-        multiply_transposed(cell, matrix[a]);
+      return matrix(cell) != nullptr && !matrix(cell)->is_free(a);
     }
 
   private:
@@ -103,19 +70,11 @@ namespace seiche
     /// Of ghost cells, from their owners. Collective.
     void
     exchange(const CellLocator<dim> &locator);
-    int
-    store(const std::vector<double> &matrix);
-
-    void
-    multiply(const unsigned int cell, double *values) const;
-    void
-    multiply_transposed(const unsigned int cell, double *values) const;
 
     unsigned int                                 n_nodes = 0;
     std::vector<dealii::types::global_dof_index> cell_nodes;
-    std::vector<int>                             matrix_of_cell; // or -1
-    std::vector<std::vector<double>>             matrices; // [a * n_nodes + b]
-    std::map<std::vector<double>, int>           known;
+    std::vector<const NodeMatrix *>              matrix_of_cell; // or null
+    NodeMatrices                                 matrices;
   };
 } // namespace seiche
 

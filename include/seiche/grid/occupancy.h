@@ -2,7 +2,7 @@
 #ifndef seiche_grid_occupancy_h
 #define seiche_grid_occupancy_h
 
-#include <seiche/grid/hanging_nodes.h>
+#include <seiche/grid/linear_cells.h>
 #include <seiche/points/cell_locator.h>
 #include <seiche/points/point_cloud.h>
 #include <seiche/utilities/shape_functions.h>
@@ -55,6 +55,18 @@ namespace seiche
     /// Collective.
     void
     update(const PointCloud<dim> &points);
+
+    /// Fields are multilinear in own occupied cells with a true value, until
+    /// the next update(); FE_Q(1): nothing changes. Collective.
+    void
+    set_linear(const std::vector<char> &flags);
+
+    /// Degree of the fields in an own or ghost cell.
+    unsigned int
+    degree(const unsigned int cell) const
+    {
+      return linear_flag[cell] ? 1 : fe.degree;
+    }
 
     /// Grows by one with each new numbering.
     unsigned int
@@ -118,14 +130,83 @@ namespace seiche
     void
     expand(const unsigned int cell, double *values) const
     {
-      hanging_nodes.expand(cell, values);
+      if (cell_matrices[cell] != nullptr)
+        cell_matrices[cell]->expand(values);
     }
 
     /// The transpose: sums over the cell, to be added at cell_nodes().
     void
     condense(const unsigned int cell, double *values) const
     {
-      hanging_nodes.condense(cell, values);
+      if (cell_matrices[cell] != nullptr)
+        cell_matrices[cell]->condense(values);
+    }
+
+    /// f(std::integral_constant<int, degree>) for the degrees that cells have.
+    template <typename Function>
+    void
+    for_each_degree(const Function &f) const
+    {
+      f(std::integral_constant<int, 1>());
+      if (fe.degree == 2)
+        f(std::integral_constant<int, 2>());
+    }
+
+    /// The unknowns of a cell as those of an element of some degree, which is
+    /// degree() or fe.degree; lexicographic but for masters.
+    struct Unknowns
+    {
+      const unsigned int *list;
+      const std::uint8_t *places; ///< in the list; null: one after the other
+      const NodeMatrix   *matrix; ///< null: identity
+
+      unsigned int
+      place(const unsigned int a) const
+      {
+        return places != nullptr ? places[a] : a;
+      }
+
+      /// Local node.
+      unsigned int
+      operator[](const unsigned int a) const
+      {
+        return list[place(a)];
+      }
+
+      /// Values at the element's own nodes from those at the unknowns.
+      void
+      expand(double *values) const
+      {
+        if (matrix != nullptr)
+          matrix->expand(values);
+      }
+
+      /// The transpose.
+      void
+      condense(double *values) const
+      {
+        if (matrix != nullptr)
+          matrix->condense(values);
+      }
+
+      /// matrix <- C^T matrix C
+      template <unsigned int n>
+      void
+      condense_matrix(double (&values)[n][n]) const
+      {
+        if (matrix != nullptr)
+          matrix->condense_matrix(values);
+      }
+    };
+
+    template <int degree>
+    Unknowns
+    unknowns(const unsigned int cell) const
+    {
+      if (degree == fe.degree)
+        return {cell_nodes(cell), nullptr, cell_matrices[cell]};
+      const auto &vertices = linear_cells.vertices(cell);
+      return {cell_nodes(cell), vertices.places.data(), vertices.matrix};
     }
 
     const HangingNodes<dim> &
@@ -294,6 +375,10 @@ namespace seiche
     void
     collect_volumes();
 
+    /// Matrices of the mesh alone.
+    void
+    reset_matrices();
+
     void
     exchange_flag(std::vector<char> &flag) const;
 
@@ -306,8 +391,10 @@ namespace seiche
     std::vector<char>
     find_used_nodes() const;
 
-    dealii::DoFHandler<dim> dof_handler;
-    HangingNodes<dim>       hanging_nodes;
+    dealii::DoFHandler<dim>         dof_handler;
+    HangingNodes<dim>               hanging_nodes;
+    LinearCells<dim>                linear_cells;  // FE_Q(2)
+    std::vector<const NodeMatrix *> cell_matrices; // null: identity
 
     // full mesh, local numbering of locally relevant dofs
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> full_partitioner;
@@ -329,6 +416,7 @@ namespace seiche
     std::uint64_t             global_occupied      = 0;
     std::vector<unsigned int> occupied;
     std::vector<char>         occupied_flag, active_flag;
+    std::vector<char>         linear_flag; // own and ghost cells
     std::vector<unsigned int> compact_cell_nodes;
     std::vector<unsigned int> full_of_compact;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> node_partitioner;

@@ -90,7 +90,7 @@ namespace seiche
     /// tau1 [m^4/N] of the pressure's ghost penalty: the transient one for
     /// every choice of the subscales' tau, which may be infinite or zero.
     double
-    ghost_tau(const double size) const;
+    ghost_tau(const double size, const unsigned int degree) const;
 
     /// Largest body acceleration [m/s^2], zero if it is switched off.
     /// Collective.
@@ -101,11 +101,9 @@ namespace seiche
     const FreeSurfaceParameters &free_surface;
 
   private:
-    template <int degree>
     void
     add_residual(GridState<dim> &state, BlockVector &residual);
 
-    template <int degree>
     void
     add_tangent(const GridState<dim> &state, BlockMatrix<dim> &matrix);
 
@@ -125,7 +123,8 @@ namespace seiche
     void
     gather_projection(const unsigned int cell);
 
-    /// Add the cell's residuals to the nodes', to the masters of hanging ones.
+    /// Add the cell's residuals to the nodes', to the masters of those that are
+    /// no unknowns.
     template <int degree>
     void
     scatter(const unsigned int     cell,
@@ -146,15 +145,15 @@ namespace seiche
     bool
     is_at_rest(const GridState<dim> &state) const;
 
-    /// Rows and columns of hanging nodes go to their masters.
+    /// Rows and columns of nodes that are no unknowns go to their masters.
     template <int degree>
     void
     condense_tangent(const unsigned int cell, CellData<dim, degree> &data);
 
-    /// add_cell(cell) on each occupied cell, add_face(face matrix,
+    /// add_cell(cell, degree) on each occupied cell, add_face(face matrix,
     /// coefficients) on each ghost face of this rank: after the cell that the
     /// list of faces has it from, in the order of that list.
-    template <int degree, typename AddCell, typename AddFace>
+    template <typename AddCell, typename AddFace>
     void
     for_each_cell_and_ghost_face(const AddCell &add_cell,
                                  const AddFace &add_face);

@@ -127,6 +127,9 @@ namespace seiche
     }
 
   private:
+    template <int degree>
+    struct CellEntries;
+
     template <int degree, unsigned int n>
     void
     add_cell_fields(const unsigned int cell, const CellData<dim, degree> &data);

@@ -118,6 +118,10 @@ namespace seiche
       std::vector<unsigned int> entries;    ///< where the received are added
     };
 
+    /// Of the elements that couple across the face: the higher one.
+    unsigned int
+    degree(const GhostFace &face) const;
+
     bool
     covers(const std::vector<GhostFace> &faces) const;
 
@@ -146,8 +150,8 @@ namespace seiche
     std::vector<unsigned int>  diagonal;       // [n_own_nodes]
     std::vector<unsigned int>  column_of_node; // [n_local_nodes]
     std::vector<std::uint16_t> scatter;        // [cell][a][b]
-    std::vector<char>          covered_cells;  // [own cell]
-    std::vector<char>          covered_faces;  // by face_index()
+    std::vector<unsigned char> covered_cells;  // degree [own cell]
+    std::vector<unsigned char> covered_faces;  // degree, by face_index()
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> columns;
     std::vector<Exchange>                                      sent, received;
   };

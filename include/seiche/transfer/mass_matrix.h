@@ -23,14 +23,17 @@ namespace seiche
     using Vector = typename GridState<dim>::Vector;
 
     /// Of the points where they are. @p density [kg/m^3] scales the ghost
-    /// penalty (@p ghost_penalty: with it or without). Local.
+    /// penalty (@p ghost_penalty: with it or without). @p masses_of_linear_cells [kg]:
+    /// of the nodes, which stand for the points of these cells, or null.
+    /// Collective.
     MassMatrix(const PointCloud<dim> &points,
                const Fill<dim>       &fill,
                const double           density,
-               const bool             ghost_penalty);
+               const bool             ghost_penalty,
+               const Vector          *masses_of_linear_cells);
 
-    /// sum_p m_p N v_p of a vector column of the points [dim] -> dst.
-    /// Collective.
+    /// sum_p m_p N v_p of a vector column of the points [dim] -> dst, without
+    /// lumped cells. Collective.
     void
     right_hand_side(const PointColumn column, Vector &dst) const;
 
@@ -66,6 +69,12 @@ namespace seiche
     template <int degree>
     void
     collect_faces(const double density);
+    bool
+    is_lumped(const unsigned int cell) const
+    {
+      return linear_masses != nullptr && occupancy.degree(cell) == 1;
+    }
+
     template <int degree>
     void
     sum_points(const PointColumn column, Vector &dst) const;
@@ -73,6 +82,7 @@ namespace seiche
     const PointCloud<dim> &points;
     const Fill<dim>       &fill;
     const Occupancy<dim>  &occupancy;
+    const Vector          *linear_masses; // of linear cells, or null
     std::vector<Block>     blocks;
     Vector                 inverse_diagonal; // zero where there is no mass
   };

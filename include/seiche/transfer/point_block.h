@@ -36,12 +36,12 @@ namespace seiche
            const Occupancy<dim> &occupancy,
            const unsigned int    cell)
     {
-      const unsigned int *nodes = occupancy.cell_nodes(cell);
+      const auto nodes = occupancy.template unknowns<degree>(cell);
       for (unsigned int i = 0; i < n_nodes; ++i)
         for (unsigned int c = 0; c < dim; ++c)
           values[c][i] = vector[dim * nodes[i] + c];
       for (unsigned int c = 0; c < dim; ++c)
-        occupancy.expand(cell, values[c]);
+        nodes.expand(values[c]);
     }
   };
 

@@ -40,6 +40,13 @@ namespace seiche
     {
       return mass == "consistent" || (mass == "automatic" && degree > 1);
     }
+
+    /// Whether a mass that is consistent is so in cells of degree 2 alone.
+    bool
+    lumps_linear_cells() const
+    {
+      return mass == "automatic";
+    }
   };
 
   /// What a point passes on beside its velocity.
@@ -78,9 +85,16 @@ namespace seiche
   /// Result of a trial of the convective phase, all ranks.
   struct StepCheck
   {
-    double min_det_F = 1.; ///< of the whole and half increment, at the points
-    double max_displacement = 0.; ///< in cells of the point's cell
+    double min_det_F =
+      std::numeric_limits<double>::max(); ///< of the whole and half increment,
+                                          ///< at the points
+    double max_displacement = 0.;         ///< in cells of the point's cell
+    double beyond_wall      = 0.; ///< way of a point through a wall [cells]
     bool   finite           = true;
+
+    /// Collective.
+    StepCheck
+    of_all_ranks(const MPI_Comm communicator) const;
 
     /// Why the step must not be accepted, or empty. @p limit: largest
     /// displacement in cells. @p holds_points: grid_to_points() holds back
@@ -140,16 +154,27 @@ namespace seiche
     improve_velocity(const PointCloud<dim> &points,
                      GridState<dim>        &state) const;
 
+    /// Nodal velocities closest to the points'. Collective.
+    void
+    find_closest(const PointCloud<dim> &points, GridState<dim> &state) const;
+
+    /// The series of XPIC and FMPM. Collective.
+    void
+    expand_series(const PointCloud<dim> &points, GridState<dim> &state) const;
+
+    /// In the cells of a degree.
     template <int degree>
-    StepCheck
-    check_step(const GridState<dim>  &state,
-               const PointCloud<dim> &points,
-               const double           limit) const;
+    void
+    check_cells(const GridState<dim>  &state,
+                const PointCloud<dim> &points,
+                const double           limit,
+                StepCheck             &result) const;
     template <int degree>
     std::size_t
-    move_points(const GridState<dim>  &state,
-                PointCloud<dim>       &points,
-                const HeldPoints<dim> &held) const;
+    move_points(const GridState<dim>                  &state,
+                const typename GridState<dim>::Vector &volume_change,
+                const HeldPoints<dim>                 &held,
+                PointCloud<dim>                       &points) const;
 
     const TransferParameters parameters;
     const TransferMethod    &method;
