@@ -63,7 +63,8 @@ class Variant:
 
 
 class Runs(dict):
-    """{name of the variant: Variant} of a study, in the order of its table."""
+    """{name: Variant} of a study, in the order of its table. The name is that of
+    the variant, or its values of scene and settings."""
 
     def __init__(self, output, study):
         super().__init__()
@@ -72,7 +73,8 @@ class Runs(dict):
             with open(self.path, newline="", encoding="utf-8") as file:
                 for row in csv.DictReader(file):
                     run = Run(os.path.join(output, study, "runs", row["folder"], "run"))
-                    self[row["variant"]] = Variant(run, row)
+                    name = row.get("variant") or "%s: %s" % (row["scene"], row["settings"])
+                    self[name] = Variant(run, row)
 
     def __missing__(self, name):
         return Variant()

@@ -152,7 +152,7 @@ def centre(patch, output, numbers):
          [(name, method, COLOUR[method]) for method, name in ROWS]),
         ("recipe", "%s: points a cell" % RECIPE,
          [("paper, " + name, label, None) for name, label in points]
-         + [("paper, mixed 36, dt 0.001", "36, dt 0.001 s", None)]),
+         + [("paper, mixed 16, dt 0.001", "16, dt 0.001 s", None)]),
         ("ours", "%s: points a cell" % OURS,
          [(name, label, None) for name, label in points]
          + [("mixed 16, dt 0.001", "16, dt 0.001 s", None)]),
