@@ -171,7 +171,7 @@ def axis_of(rows, name):
     values = {row.get(name) for row in rows} - {None}
     numbers = sorted(v for v in values if isinstance(v, float))
     words = sorted(v for v in values if not isinstance(v, float))
-    if len(values) <= GRID_MAXIMUM:
+    if len(values) <= GRID_MAXIMUM or not numbers:
         order = numbers + words
         return {v: i for i, v in enumerate(order)}, False, [text_of(v) for v in order]
     logarithmic = bool(numbers) and numbers[0] > 0 and numbers[-1] / numbers[0] > 50
