@@ -126,11 +126,11 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     cell.clear_tangent();
-    const Tau    tau              = this->tau(cell);
-    const double viscosity        = this->tangent_viscosity(cell);
-    const double theta            = cell.coefficients.theta;
-    const double kappa            = this->material.bulk_modulus;
-    const double weight_g         = 1. - tau.continuity / kappa;
+    const Tau           tau       = this->tau(cell);
+    const double        viscosity = this->tangent_viscosity(cell);
+    const double        theta     = cell.coefficients.theta;
+    const double        kappa     = this->material.bulk_modulus;
+    const double        weight_g  = 1. - tau.continuity / kappa;
     const ResidualParts parts =
       this->stabilization.residual_parts(cell.orthogonal);
     const double negligible_force = this->negligible_force(cell, tau);
@@ -224,8 +224,8 @@ namespace seiche
     CellData<dim, degree> &cell) const
   {
     cell.clear_residual();
-    const Tau                    tau    = this->tau(cell);
-    const ResidualParts          parts =
+    const Tau           tau = this->tau(cell);
+    const ResidualParts parts =
       this->stabilization.residual_parts(cell.orthogonal);
     const bool                   lumped = this->stabilization.projects_lumped;
     PointKinematics<dim, degree> point;

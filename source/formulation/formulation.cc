@@ -15,8 +15,8 @@ namespace seiche
     struct FormulationEntry
     {
       const char *name;
-      std::unique_ptr<Formulation<dim>> (
-        *make)(const MaterialConstants &, const FormulationParameters &);
+      std::unique_ptr<Formulation<dim>> (*make)(const MaterialConstants &,
+                                                const FormulationParameters &);
       const char *description;
     };
 

@@ -74,10 +74,10 @@ namespace seiche
   {
     constexpr unsigned int         n_nodes = CellData<dim, degree>::n_nodes;
     const SliverMeans<dim, degree> mean(cell);
-    const double inertia =
+    const double                   inertia =
       this->stabilization.residual_parts(/*orthogonal=*/false).inertia ?
-        mean.mass / mean.volume * cell.coefficients.inertia :
-        0.;
+                          mean.mass / mean.volume * cell.coefficients.inertia :
+                          0.;
     for_each_gauss_gradient<dim, degree>(
       cell.extent,
       [&](const double(&gradient)[dim][n_nodes], const double weight) {

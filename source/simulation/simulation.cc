@@ -217,8 +217,9 @@ namespace seiche
     const std::size_t n_held =
       transfer.grid_to_points(state,
                               points,
-                              accepts ? largest_way() :
-                                        std::numeric_limits<double>::infinity());
+                              accepts ?
+                                largest_way() :
+                                std::numeric_limits<double>::infinity());
     formulation->update_points(points);
     if (accepts)
       accepted_failures.account(

@@ -134,11 +134,11 @@ namespace seiche
       wall_contact.begin_iteration(step, rate_offset);
       assembler.begin(step, state.time, inertia_offset, rate_offset);
       const unsigned int of_projection = last.krylov_iterations;
-      const bool accepts = scene.time.accepts_failing_steps();
-      last               = newton.solve(state,
-                          accepts     ? IfUnconverged::take_nearest :
-                          is_repeated ? IfUnconverged::give_up :
-                                        IfUnconverged::give_up_early);
+      const bool         accepts       = scene.time.accepts_failing_steps();
+      last                             = newton.solve(state,
+                          accepts ? IfUnconverged::take_nearest :
+                                                      is_repeated ? IfUnconverged::give_up :
+                                                                    IfUnconverged::give_up_early);
       last.krylov_iterations += of_projection;
       if (!last.converged && !(accepts && last.is_usable))
         return last.failure;

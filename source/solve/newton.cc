@@ -266,7 +266,7 @@ namespace seiche
                           linear.iterations);
             return result;
           }
-        residual_change    = residual; // of the old one, negative
+        residual_change          = residual; // of the old one, negative
         const bool   only_nearer = then == IfUnconverged::take_nearest;
         const double after       = move(state, before, only_nearer);
         if (only_nearer && !(after < before))

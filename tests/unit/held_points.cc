@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Points of an accepted step that would crush their volume, move too far or pass
-// a wall go only a part of their way; the others go all of it.
+// Points of an accepted step that would crush their volume, move too far or
+// pass a wall go only a part of their way; the others go all of it.
 #include <seiche/transfer/held_points.h>
-
-#include "scene_from_text.h"
 
 #include <deal.II/base/mpi.h>
 
 #include <iostream>
 #include <limits>
 #include <string>
+
+#include "scene_from_text.h"
 
 using namespace seiche;
 
@@ -88,9 +88,9 @@ namespace
         x[d]    = 0.125;
         near[d] = 0.0625;
       }
-    far[0]  = 50.;
-    left[0] = -0.25;
-    up[1]   = 0.5;
+    far[0]                  = 50.;
+    left[0]                 = -0.25;
+    up[1]                   = 0.5;
     dealii::Point<dim> high = x;
     high[1]                 = 0.75;
     test("gentle", held, gentle, x, near);

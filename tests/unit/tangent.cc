@@ -168,50 +168,51 @@ namespace
     for (const char *name : {"displacement-pressure", "displacement"})
       for (const char *stabilization : {"ASGS", "none", "OSGS", "split OSGS"})
         for (const char *residual : {"whole", "without inertia"})
-        for (const char *tau : {"transient", "paper", "root of squares"})
-          for (const double viscosity : {0., 0.7})
-            for (const double kappa : {50., infinite})
-              for (const double theta : {0.5, 0.6, 1.})
-                for (const bool sliver : {false, true})
-                  {
-                    FormulationParameters parameters;
-                    parameters.name                        = name;
-                    parameters.stabilization.stabilization = stabilization;
-                    parameters.stabilization.tau           = tau;
-                    parameters.stabilization.subscale_residual = residual;
-                    if (!parameters.is_mixed() && std::isinf(kappa))
-                      continue;
-                    const bool has_choice =
-                      parameters.is_mixed() &&
-                      (stabilization == std::string("ASGS") ||
-                       stabilization == std::string("OSGS"));
-                    if (residual != std::string("whole") && !has_choice)
-                      continue;
-                    if (tau != std::string("transient") &&
-                        stabilization != std::string("ASGS"))
-                      continue; // tau is a number to the weak form
-                    const auto formulation = make_formulation<dim>(
-                      parameters,
-                      {3.,
-                       kappa,
-                       NewtonianLaw{viscosity},
-                       VolumeLaw{/*logarithmic=*/sliver}});
-                    fill_cell(cell, theta, sliver);
-                    cell.orthogonal = parameters.stabilization.is_orthogonal();
-                    const double error = tangent_error(*formulation, cell);
-                    std::cout
-                      << dim << "D Q" << degree << ' ' << name << ' '
-                      << stabilization << ' '
-                      << (residual == std::string("whole") ?
-                            "" :
-                            "(without inertia) ")
-                      << tau << " mu " << viscosity
-                      << " kappa " << kappa << " theta " << theta
-                      << (sliver ? " sliver, logarithmic, J at theta" : "")
-                      << ": " << (error < 1e-6 ? "exact" : "WRONG") << '\n';
-                    if (!(error < 1e-6))
-                      std::cout << "  relative error " << error << '\n';
-                  }
+          for (const char *tau : {"transient", "paper", "root of squares"})
+            for (const double viscosity : {0., 0.7})
+              for (const double kappa : {50., infinite})
+                for (const double theta : {0.5, 0.6, 1.})
+                  for (const bool sliver : {false, true})
+                    {
+                      FormulationParameters parameters;
+                      parameters.name                        = name;
+                      parameters.stabilization.stabilization = stabilization;
+                      parameters.stabilization.tau           = tau;
+                      parameters.stabilization.subscale_residual = residual;
+                      if (!parameters.is_mixed() && std::isinf(kappa))
+                        continue;
+                      const bool has_choice =
+                        parameters.is_mixed() &&
+                        (stabilization == std::string("ASGS") ||
+                         stabilization == std::string("OSGS"));
+                      if (residual != std::string("whole") && !has_choice)
+                        continue;
+                      if (tau != std::string("transient") &&
+                          stabilization != std::string("ASGS"))
+                        continue; // tau is a number to the weak form
+                      const auto formulation = make_formulation<dim>(
+                        parameters,
+                        {3.,
+                         kappa,
+                         NewtonianLaw{viscosity},
+                         VolumeLaw{/*logarithmic=*/sliver}});
+                      fill_cell(cell, theta, sliver);
+                      cell.orthogonal =
+                        parameters.stabilization.is_orthogonal();
+                      const double error = tangent_error(*formulation, cell);
+                      std::cout
+                        << dim << "D Q" << degree << ' ' << name << ' '
+                        << stabilization << ' '
+                        << (residual == std::string("whole") ?
+                              "" :
+                              "(without inertia) ")
+                        << tau << " mu " << viscosity << " kappa " << kappa
+                        << " theta " << theta
+                        << (sliver ? " sliver, logarithmic, J at theta" : "")
+                        << ": " << (error < 1e-6 ? "exact" : "WRONG") << '\n';
+                      if (!(error < 1e-6))
+                        std::cout << "  relative error " << error << '\n';
+                    }
   }
 
   /// Viscous terms are in the tangent unless they are negligible.

@@ -29,11 +29,11 @@ namespace seiche
 
     // --- input
     StepCoefficients       coefficients;
-    dealii::Tensor<1, dim> extent;         ///< edge lengths [m]
-    double                 size   = 0.;    ///< |K|^(1/dim) [m]
-    bool                   lumped = false; ///< inertia at the nodes
-    bool                   sliver = false; ///< averaged tau1 term
-    double                 start_speed = 0.; ///< |v_0| at the centre [m/s]
+    dealii::Tensor<1, dim> extent;              ///< edge lengths [m]
+    double                 size        = 0.;    ///< |K|^(1/dim) [m]
+    bool                   lumped      = false; ///< inertia at the nodes
+    bool                   sliver      = false; ///< averaged tau1 term
+    double                 start_speed = 0.;    ///< |v_0| at the centre [m/s]
     double extent_inertia = 0.; ///< of the points' own extent [kg], see
                                 ///< formulation/point_inertia.h
     CellQuadrature<dim> quadrature;

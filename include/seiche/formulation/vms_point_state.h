@@ -45,9 +45,8 @@ namespace seiche
       Number error = cell.coefficients.volume_recovery *
                      (load<Number>(&quadrature.volume_ratio[q]) - 1.);
       if (material.is_incompressible()) // else J carries the pressure
-        error =
-          min(max(error, Number(-largest_volume_error)),
-              Number(largest_volume_error));
+        error = min(max(error, Number(-largest_volume_error)),
+                    Number(largest_volume_error));
       const Number J_n = 1. + error;
       volume_n         = J_n * load<Number>(&quadrature.volume[q]);
       volume_t         = point.det_t * volume_n;

@@ -24,9 +24,9 @@ namespace seiche
 
   struct NewtonResult
   {
-    bool         converged         = false;
-    bool         is_usable = false; ///< finite, and nearer than the guess
-    unsigned int iterations        = 0;
+    bool         converged  = false;
+    bool         is_usable  = false; ///< finite, and nearer than the guess
+    unsigned int iterations = 0;
     unsigned int krylov_iterations = 0;
     std::string  failure; ///< why not, for the log
   };

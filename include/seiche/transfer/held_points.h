@@ -45,7 +45,7 @@ namespace seiche
     /// points of a block of the cell, at the places @p x [m]; @p is_held: of
     /// which this was done.
     void
-    shorten(const unsigned int cell,
+    shorten(const unsigned int                     cell,
             const std::array<const double *, dim> &x,
             const unsigned int                     n_filled,
             double (&F)[dim][dim][n_lanes],

@@ -143,10 +143,10 @@ namespace seiche
     /// their volume, are held back (HeldPoints); infinity: none. The number of
     /// points held on this rank. Collective.
     std::size_t
-    grid_to_points(const GridState<dim> &state,
-                   PointCloud<dim>      &points,
-                   const double          held_beyond =
-                     std::numeric_limits<double>::infinity()) const;
+    grid_to_points(
+      const GridState<dim> &state,
+      PointCloud<dim>      &points,
+      const double held_beyond = std::numeric_limits<double>::infinity()) const;
 
   private:
     /// Nodal velocities that need more than a lumped mass. Collective.
