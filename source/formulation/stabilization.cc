@@ -125,9 +125,10 @@ namespace seiche
     prm.add_parameter("Tau speed floor",
                       speed_floor,
                       "Tau = paper: smallest speed in equation 25, which is "
-                      "infinite for fluid at rest; below about 0.5 the inertia "
-                      "of the subscales outweighs that of the flow and "
-                      "splashes stop [cells a step]",
+                      "infinite for fluid at rest; with Subscale residual = "
+                      "whole the inertia of the subscales outweighs that of "
+                      "the flow below about 0.5 (Newmark: 1), and splashes "
+                      "stop [cells a step]",
                       Patterns::Double(1e-12));
     prm.add_parameter("Tau inertia factor",
                       inertia_factor,
@@ -158,15 +159,14 @@ namespace seiche
   }
 
   void
-  StabilizationParameters::check(const InputFile &input) const
+  StabilizationParameters::check(const InputFile &input,
+                                 const bool       is_mixed) const
   {
-    input.require(subscale_residual == "whole" || stabilization == "ASGS" ||
-                    stabilization == "OSGS",
+    input.require(has_inertia() || (is_mixed && is_active() && !is_split()),
                   "Formulation/Subscale residual",
-                  "without inertia chooses what the subscales of "
-                  "Stabilization = ASGS or OSGS resolve; " +
-                    stabilization +
-                    " has no such choice: set Subscale residual = whole");
+                  "without inertia chooses what the subscales of the mixed "
+                  "form with Stabilization = ASGS or OSGS resolve: set "
+                  "Subscale residual = whole");
   }
 
   Stabilization::Stabilization(const StabilizationParameters &p)
@@ -175,7 +175,7 @@ namespace seiche
     , projects_lumped(p.projects_lumped())
     , tau_is_uniform(tau_entry(p.tau).is_uniform)
     , is_split(p.is_split())
-    , has_inertia(p.subscale_residual == "whole")
+    , has_inertia(p.has_inertia())
     , inverse_tau(*tau_entry(p.tau).inverse)
   {}
 

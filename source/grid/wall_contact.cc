@@ -90,7 +90,8 @@ namespace seiche
           (std::sqrt(speed) / state.dt +
            body_force.value(occupancy.node_position(contact.node), state.time)
              .norm());
-        // a hat at a wall: its area is 2/h times its volume, mass/density
+        // a hat at a wall: its area is 2 degree/h times its volume, mass over
+        // density
         contact.pressing =
           std::max(0., state.pressure_guess.local_element(contact.node)) *
           mass / density * 2. * occupancy.fe.degree / contact.extent;

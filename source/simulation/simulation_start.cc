@@ -41,16 +41,6 @@ namespace seiche
       return;
     state.dt = scene.time.step;
     step_solver.find_consistent_start(state);
-    // accelerations alone return to the points in this transfer
-    if (transfer_method(scene.transfer.method).update ==
-        VelocityUpdate::flip_acceleration)
-      {
-        typename GridState<dim>::Vector correction(state.velocity_start);
-        correction -= state.velocity_n;
-        correction.update_ghost_values();
-        interpolate_to_points(
-          occupancy, correction, PointColumn::velocity, points, /*keep=*/1.);
-      }
     interpolate_to_points(occupancy,
                           state.acceleration_n,
                           PointColumn::acceleration,

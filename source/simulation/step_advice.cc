@@ -22,7 +22,8 @@ namespace seiche
     // first what makes the equations of a step unstable at every size
     const std::vector<std::pair<bool, std::string>> table = {
       {is_mixed && !has_subscales, "Formulation/Stabilization = ASGS"},
-      {has_subscales && vms.is_quasi_static() && vms.speed_floor < least_floor,
+      {has_subscales && vms.is_quasi_static() && vms.has_inertia() &&
+         vms.speed_floor < least_floor,
        "Formulation/Tau = transient"},
       {surface.point_inertia < 1., "Free surface/Point inertia = 1"},
       {!surface.sliver_treatment, "Free surface/Sliver treatment = true"},

@@ -68,9 +68,12 @@ namespace seiche
                      material.density,
                      mass);
 
-    // the hierarchy belongs to L/rho = D/(rho tau1); S = (L/rho)/C_a
-    const bool scaled = stabilization.is_active && stabilization.tau_is_uniform;
-    factor            = scaled ? c.inertia : 1.;
+    // the hierarchy belongs to L/rho = D/(rho tau1); S = (L/rho)/C_a, where
+    // the residual's inertia makes C vanish inside the fluid
+    const bool scaled =
+      stabilization.is_active && stabilization.tau_is_uniform &&
+      stabilization.residual_parts(/*orthogonal=*/false).inertia;
+    factor = scaled ? c.inertia : 1.;
     if (scaled && generation == matrix->generation())
       return true;
 

@@ -92,11 +92,13 @@ namespace seiche
                       "What becomes of a step whose Newton iteration does not "
                       "converge, or that crushes a point or moves it farther "
                       "than Maximum displacement. repeated: with half its "
-                      "size. accepted: as in the code of the founding paper, "
-                      "Newton's last iterate is taken, a point goes only the "
-                      "part of its way on which its volume stays positive, and "
-                      "summary.json counts both; without a usable iterate the "
-                      "step is repeated all the same",
+                      "size. accepted: as in the code of the founding paper it "
+                      "is taken, with the iterate of the least residual; a "
+                      "point goes only the part of its way on which it keeps "
+                      "a fifth of its volume, moves no farther than Maximum "
+                      "displacement and passes no wall, its volume ratio stays "
+                      "within 0.25 of one, and summary.json counts both. A "
+                      "residual that is not finite repeats the step even so",
                       Patterns::Selection("repeated|accepted"));
     prm.add_parameter("Velocity projection",
                       projection,

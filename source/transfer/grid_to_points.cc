@@ -4,6 +4,7 @@
 #include <seiche/transfer/point_block.h>
 #include <seiche/transfer/transfer.h>
 #include <seiche/transfer/volume_change.h>
+#include <seiche/transfer/wall_faces.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -50,7 +51,10 @@ namespace seiche
       gather(const Occupancy<dim> &occupancy, const unsigned int cell)
       {
         end_field.gather(velocity_np1, occupancy, cell);
-        source.gather(velocity_new, occupancy, cell);
+        if (velocity_new == velocity_np1)
+          source = end_field;
+        else
+          source.gather(velocity_new, occupancy, cell);
         const bool series = method.update == VelocityUpdate::xpic;
         if (const double share = series ? 1. : keep; share > 0.)
           subtract(velocity_n, share, occupancy, cell);
@@ -170,57 +174,6 @@ namespace seiche
           }
     }
 
-    /// Faces of a cell on closed walls, and where a step takes them.
-    template <int dim, int degree>
-    class WallFaces
-    {
-    public:
-      explicit WallFaces(const Occupancy<dim> &grid_occupancy)
-        : occupancy(grid_occupancy)
-      {}
-
-      void
-      reinit(const unsigned int cell, const CellField<dim, degree> &u)
-      {
-        const auto      &locator  = occupancy.locator;
-        const auto       nodes    = occupancy.template unknowns<degree>(cell);
-        constexpr double infinite = std::numeric_limits<double>::max();
-        const auto       corner   = locator.lower_corner(cell);
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            const double length = locator.extent(cell)[d];
-            inverse[d]          = 1. / length;
-            lower[d]            = -infinite;
-            upper[d]            = infinite;
-            for (unsigned int side = 0; side < 2; ++side)
-              {
-                const auto wall = locator.boundary_id(cell, 2 * d + side);
-                if (wall == dealii::numbers::internal_face_boundary_id ||
-                    locator.grid.wall_condition(wall) == WallCondition::open)
-                  continue;
-                for (unsigned int a = 0; a < u.n_nodes; ++a)
-                  if (TensorShape<dim, degree>::place(a, d) == side * degree &&
-                      (occupancy.fixed_components(nodes[a]) >> d & 1u))
-                    (side == 0 ? lower : upper)[d] =
-                      corner[d] + side * length + u.values[d][a];
-              }
-          }
-      }
-
-      /// Cells that coordinate @p x of direction d is behind a wall; 0: it is
-      /// not.
-      double
-      way_beyond(const unsigned int d, const double x) const
-      {
-        return std::max(
-          {0., (lower[d] - x) * inverse[d], (x - upper[d]) * inverse[d]});
-      }
-
-    private:
-      const Occupancy<dim>   &occupancy;
-      std::array<double, dim> lower, upper, inverse;
-    };
-
     /// True if no point of a cell with these displacements can move farther
     /// than @p limit times reach or change its volume by more than a third:
     /// gradients and values of FE_Q(1) lie between those of edges and nodes.
@@ -274,7 +227,7 @@ namespace seiche
                                 PointCloud<dim>      &points,
                                 const double          held_beyond) const
   {
-    const HeldPoints<dim>                 held(points.locator, held_beyond);
+    const HeldPoints<dim>                 held(held_beyond);
     const typename GridState<dim>::Vector volume_change =
       mean_volume ? nodal_volume_change(fill, points, state) :
                     typename GridState<dim>::Vector();
@@ -393,6 +346,7 @@ namespace seiche
     CellField<dim, degree>    u;
     double                    p_nodal[n_nodes] = {}, volume_nodal[n_nodes] = {};
     Block<dim, degree>        block;
+    WallFaces<dim, degree>    walls(occupancy);
     std::size_t               n_held = 0;
     for_each_block(
       occupancy,
@@ -402,6 +356,8 @@ namespace seiche
           return false;
         const auto nodes = occupancy.template unknowns<degree>(cell);
         u.gather(displacement, occupancy, cell);
+        if (held.any_may_be())
+          walls.reinit(cell, u);
         rule.gather(occupancy, cell);
         if (mean_volume)
           {
@@ -436,13 +392,15 @@ namespace seiche
             std::array<const double *, dim> x;
             for (unsigned int c = 0; c < dim; ++c)
               x[c] = arrays.position[c] + first;
-            held.shorten(cell, x, n_filled, F, way, is_held);
+            held.shorten(
+              locator.reach(cell), walls, x, n_filled, F, way, is_held);
           }
         determinant_and_cofactors<dim>(F, det, cofactor);
         if (mean_volume)
           block.value(volume_nodal, result);
         for (unsigned int l = 0; l < n_filled; ++l)
-          arrays.volume_ratio[first + l] *= mean_volume ? result[l] : det[l];
+          arrays.volume_ratio[first + l] *=
+            mean_volume && !is_held[l] ? result[l] : det[l];
         if (held.any_may_be())
           for (unsigned int l = 0; l < n_filled; ++l)
             {

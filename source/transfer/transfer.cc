@@ -2,6 +2,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/transfer/held_points.h>
 #include <seiche/transfer/transfer.h>
+#include <seiche/transfer/wall_faces.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
@@ -158,8 +159,6 @@ namespace seiche
   std::string
   StepCheck::problem(const double limit, const bool holds_points) const
   {
-    // up to this a point is put on the wall (CellLocator)
-    constexpr double wall_tolerance = 1e-10;
     if (!finite)
       return "a point's new position or velocity is not finite";
     if (holds_points)

@@ -284,6 +284,13 @@ GEOMETRY = [
          **added("subsection Formulation\n  set Stabilization = none\n"
                  "  set Subscale residual = without inertia\nend\n"),
          line=LAST + 3, expect=['"Subscale residual" in "Formulation"', "whole"]),
+    Case("a subscale residual in a form without subscales",
+         "  set Bulk modulus      = infinite\n",
+         "  set Bulk modulus      = 1e6\n", line=False,
+         arguments=["scene.prm",
+                    "--set", "Formulation/Name = displacement",
+                    "--set", "Formulation/Subscale residual = without inertia"],
+         expect=['"Subscale residual" in "Formulation"', "mixed"]),
     Case("a multigrid for systems that may be factorised",
          **added("subsection Solver\n  set Multigrid = ML\nend\n"),
          line=LAST + 2, expect=['"Multigrid" in "Solver"',

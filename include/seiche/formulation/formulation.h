@@ -47,6 +47,12 @@ namespace seiche
     add_parameters(dealii::ParameterHandler &prm);
 
     bool
+    lumps_inertia() const
+    {
+      return inertia == "lumped";
+    }
+
+    bool
     is_mixed() const
     {
       return name == "displacement-pressure";
@@ -76,7 +82,7 @@ namespace seiche
                 const FormulationParameters &parameters)
       : material(material_constants)
       , stabilization(parameters.stabilization)
-      , lumps_inertia(parameters.inertia == "lumped")
+      , lumps_inertia(parameters.lumps_inertia())
     {}
 
     virtual ~Formulation() = default;

@@ -62,13 +62,20 @@ namespace seiche
     void
     add_parameters(dealii::ParameterHandler &prm);
     void
-    check(const InputFile &input) const;
+    check(const InputFile &input, const bool is_mixed) const;
 
     /// True if there are subscales.
     bool
     is_active() const
     {
       return stabilization != "none";
+    }
+
+    /// True if the momentum's subscale sees inertia.
+    bool
+    has_inertia() const
+    {
+      return subscale_residual == "whole";
     }
 
     /// True if tau1 is that of equation 25, without inertia.

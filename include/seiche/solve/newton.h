@@ -25,7 +25,7 @@ namespace seiche
   struct NewtonResult
   {
     bool         converged  = false;
-    bool         is_usable  = false; ///< finite, and nearer than the guess
+    bool         is_usable  = false; ///< the finite iterate of least residual
     unsigned int iterations = 0;
     unsigned int krylov_iterations = 0;
     std::string  failure; ///< why not, for the log

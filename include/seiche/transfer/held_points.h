@@ -3,8 +3,8 @@
 #define seiche_transfer_held_points_h
 
 #include <seiche/constitutive/volume_law.h>
-#include <seiche/points/cell_locator.h>
 #include <seiche/transfer/point_block.h>
+#include <seiche/transfer/wall_faces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +23,15 @@ namespace seiche
    * volume, also half-way, keeps the share @p least_det_F of what it was, on
    * which it moves no farther than a limit and not through a wall; none of it
    * where 1/64 would still be too much. Its volume ratio stays within
-   * largest_volume_error of one.
+   * largest_volume_error of one; its velocity is the grid's all the same.
    */
   template <int dim>
   class HeldPoints
   {
   public:
     /// @p largest_way [cells]; infinity: no point is held.
-    HeldPoints(const CellLocator<dim> &cell_locator, const double largest_way)
-      : locator(cell_locator)
-      , limit(largest_way)
+    explicit HeldPoints(const double largest_way)
+      : limit(largest_way)
     {}
 
     bool
@@ -42,10 +41,13 @@ namespace seiche
     }
 
     /// Shorten the ways u [m] and F = I + grad u of the first @p n_filled
-    /// points of a block of the cell, at the places @p x [m]; @p is_held: of
-    /// which this was done.
+    /// points of a block, at the places @p x [m]; @p reach: the way of a cell
+    /// [m]; @p walls: WallFaces of the cell; @p is_held: of which this was
+    /// done.
+    template <typename Walls>
     void
-    shorten(const unsigned int                     cell,
+    shorten(const dealii::Tensor<1, dim>          &reach,
+            const Walls                           &walls,
             const std::array<const double *, dim> &x,
             const unsigned int                     n_filled,
             double (&F)[dim][dim][n_lanes],
@@ -54,18 +56,24 @@ namespace seiche
     {
       for (unsigned int l = 0; l < n_filled; ++l)
         {
-          dealii::Point<dim>     here;
-          dealii::Tensor<1, dim> way;
           dealii::Tensor<2, dim> H;
           for (unsigned int c = 0; c < dim; ++c)
-            {
-              here[c] = x[c][l];
-              way[c]  = u[c][l];
-              for (unsigned int d = 0; d < dim; ++d)
-                H[c][d] = F[c][d][l] - (c == d ? 1. : 0.);
-            }
-          const double share = largest_share(cell, here, way, H);
-          is_held[l]         = share < 1.;
+            for (unsigned int d = 0; d < dim; ++d)
+              H[c][d] = F[c][d][l] - (c == d ? 1. : 0.);
+          const auto stands = [&](const double share) {
+            bool result =
+              keeps_volume(share * H) && keeps_volume(0.5 * share * H);
+            for (unsigned int c = 0; c < dim; ++c)
+              result = result &&
+                       share * std::abs(u[c][l]) <= limit * reach[c] &&
+                       walls.way_beyond(c, x[c][l] + share * u[c][l]) <=
+                         wall_tolerance;
+            return result;
+          };
+          double share = 1.;
+          while (share > 0. && !stands(share))
+            share = share > smallest_share ? 0.5 * share : 0.;
+          is_held[l] = share < 1.;
           if (!is_held[l])
             continue;
           for (unsigned int c = 0; c < dim; ++c)
@@ -89,23 +97,6 @@ namespace seiche
   private:
     static constexpr double smallest_share = 1. / 64.;
 
-    double
-    largest_share(const unsigned int            cell,
-                  const dealii::Point<dim>     &x,
-                  const dealii::Tensor<1, dim> &u,
-                  const dealii::Tensor<2, dim> &H) const
-    {
-      double share = 1.;
-      while (!(keeps_volume(share * H) && keeps_volume(0.5 * share * H) &&
-               is_near(cell, share * u) && is_inside(x + share * u)))
-        {
-          if (share <= smallest_share)
-            return 0.;
-          share *= 0.5;
-        }
-      return share;
-    }
-
     static bool
     keeps_volume(dealii::Tensor<2, dim> H)
     {
@@ -114,26 +105,7 @@ namespace seiche
       return dealii::determinant(H) >= least_det_F;
     }
 
-    bool
-    is_near(const unsigned int cell, const dealii::Tensor<1, dim> &u) const
-    {
-      bool result = true;
-      for (unsigned int d = 0; d < dim; ++d)
-        result = result && std::abs(u[d]) <= limit * locator.reach(cell)[d];
-      return result;
-    }
-
-    /// Inside the walls, or beyond an open side.
-    bool
-    is_inside(const dealii::Point<dim> &x) const
-    {
-      const auto wall = locator.wall_beyond(x);
-      return wall == dealii::numbers::internal_face_boundary_id ||
-             locator.grid.wall_condition(wall) == WallCondition::open;
-    }
-
-    const CellLocator<dim> &locator;
-    const double            limit; // [cells]
+    const double limit; // [cells]
   };
 } // namespace seiche
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_transfer_wall_faces_h
+#define seiche_transfer_wall_faces_h
+
+#include <seiche/grid/occupancy.h>
+#include <seiche/transfer/point_block.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace seiche
+{
+  /// Way of a point through a wall [cells] up to which it is put on the wall
+  /// (CellLocator): round-off.
+  constexpr double wall_tolerance = 1e-10;
+
+  /// Faces of a cell on closed walls, and where a step takes them.
+  template <int dim, int degree>
+  class WallFaces
+  {
+  public:
+    explicit WallFaces(const Occupancy<dim> &grid_occupancy)
+      : occupancy(grid_occupancy)
+    {}
+
+    void
+    reinit(const unsigned int cell, const CellField<dim, degree> &u)
+    {
+      const auto      &locator  = occupancy.locator;
+      const auto       nodes    = occupancy.template unknowns<degree>(cell);
+      constexpr double infinite = std::numeric_limits<double>::max();
+      const auto       corner   = locator.lower_corner(cell);
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double length = locator.extent(cell)[d];
+          inverse[d]          = 1. / length;
+          lower[d]            = -infinite;
+          upper[d]            = infinite;
+          for (unsigned int side = 0; side < 2; ++side)
+            {
+              const auto wall = locator.boundary_id(cell, 2 * d + side);
+              if (wall == dealii::numbers::internal_face_boundary_id ||
+                  locator.grid.wall_condition(wall) == WallCondition::open)
+                continue;
+              // where nodes differ (hanging ones, contacts) the farthest counts
+              double way = -infinite;
+              for (unsigned int a = 0; a < u.n_nodes; ++a)
+                if (TensorShape<dim, degree>::place(a, d) == side * degree &&
+                    (occupancy.fixed_components(nodes[a]) >> d & 1u))
+                  way =
+                    std::max(way, side == 0 ? -u.values[d][a] : u.values[d][a]);
+              if (way == -infinite)
+                continue;
+              if (side == 0)
+                lower[d] = corner[d] - way;
+              else
+                upper[d] = corner[d] + length + way;
+            }
+        }
+    }
+
+    /// Cells that coordinate @p x of direction d is behind a wall; 0: it is
+    /// not.
+    double
+    way_beyond(const unsigned int d, const double x) const
+    {
+      return std::max(
+        {0., (lower[d] - x) * inverse[d], (x - upper[d]) * inverse[d]});
+    }
+
+  private:
+    const Occupancy<dim>   &occupancy;
+    std::array<double, dim> lower, upper, inverse;
+  };
+} // namespace seiche
+
+#endif
