@@ -6,8 +6,6 @@
 #include <seiche/transfer/volume_change.h>
 #include <seiche/transfer/wall_faces.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <cmath>
 #include <limits>
 
@@ -174,50 +172,7 @@ namespace seiche
           }
     }
 
-    /// True if no point of a cell with these displacements can move farther
-    /// than @p limit times reach or change its volume by more than a third:
-    /// gradients and values of FE_Q(1) lie between those of edges and nodes.
-    template <int dim>
-    bool
-    is_gentle(const CellField<dim, 1>      &u,
-              const dealii::Tensor<1, dim> &extent,
-              const dealii::Tensor<1, dim> &reach,
-              const double                  limit)
-    {
-      constexpr double small = 0.3; // |grad u|, so that det f >= 0.7^dim
-      double           sum   = 0.;
-      bool             near  = true;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            double largest = 0.;
-            for (unsigned int a = 0; a < u.n_nodes; ++a)
-              {
-                const double difference =
-                  u.values[c][a | 1u << d] - u.values[c][a];
-                near &= std::abs(u.values[c][a]) <= limit * reach[c];
-                largest = std::max(largest, std::abs(difference));
-              }
-            sum += std::pow(largest / extent[d], 2);
-          }
-      return near && sum <= small * small;
-    }
   } // namespace
-
-
-
-  template <int dim>
-  StepCheck
-  Transfer<dim>::check(const GridState<dim>  &state,
-                       const PointCloud<dim> &points,
-                       const double           limit) const
-  {
-    StepCheck result;
-    occupancy.for_each_degree([&](const auto degree) {
-      this->template check_cells<degree>(state, points, limit, result);
-    });
-    return result.of_all_ranks(points.communicator);
-  }
 
 
 
@@ -237,90 +192,6 @@ namespace seiche
         this->template move_points<degree>(state, volume_change, held, points);
     });
     return n_held;
-  }
-
-
-
-  template <int dim>
-  template <int degree>
-  void
-  Transfer<dim>::check_cells(const GridState<dim>  &state,
-                             const PointCloud<dim> &points,
-                             const double           limit,
-                             StepCheck             &result) const
-  {
-    const PointArrays<dim, const PointCloud<dim>> arrays(points);
-    const CellLocator<dim>                       &locator = points.locator;
-    const double *displacement = state.displacement().begin();
-
-    CellField<dim, degree> u;
-    Block<dim, degree>     block;
-    WallFaces<dim, degree> walls(occupancy);
-    double                 min_det = result.min_det_F;
-    double                 max_u   = result.max_displacement;
-    double                 beyond  = result.beyond_wall;
-    double                 sum     = 0.; // not finite if any value is not
-    for_each_block(
-      occupancy,
-      points,
-      [&](const unsigned int cell) {
-        if (occupancy.degree(cell) != degree)
-          return false;
-        u.gather(displacement, occupancy, cell);
-        if constexpr (degree == 1)
-          if (is_gentle(u, locator.extent(cell), locator.reach(cell), limit))
-            return false;
-        walls.reinit(cell, u);
-        return true;
-      },
-      [&](const unsigned int cell,
-          const std::size_t  first,
-          const unsigned int n_filled) {
-        block.reinit(arrays,
-                     first,
-                     n_filled,
-                     locator.lower_corner(cell),
-                     locator.extent(cell));
-        double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes];
-        double det[n_lanes], moved[n_lanes];
-        block.field_gradient(u, /*add_identity=*/true, F);
-        determinant_and_cofactors<dim>(F, det, cofactor);
-        for (unsigned int l = 0; l < n_lanes; ++l)
-          {
-            min_det = std::min(min_det, det[l]);
-            sum += det[l];
-          }
-        // half-way too: a turn by 180 degrees keeps the determinant but takes
-        // points in a corner of the domain through both walls
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int l = 0; l < n_lanes; ++l)
-              F[c][d][l] = 0.5 * (F[c][d][l] + (c == d ? 1. : 0.));
-        determinant_and_cofactors<dim>(F, det, cofactor);
-        for (unsigned int l = 0; l < n_lanes; ++l)
-          min_det = std::min(min_det, det[l]);
-        // beside finer cells, their size is the limit: a point must not pass
-        // the layer of neighbours
-        const auto &reach = locator.reach(cell);
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            block.value(u.values[c], moved);
-            for (unsigned int l = 0; l < n_lanes; ++l)
-              {
-                max_u = std::max(max_u, std::abs(moved[l]) / reach[c]);
-                sum += moved[l];
-              }
-            for (unsigned int l = 0; l < n_filled; ++l)
-              beyond = std::max(
-                beyond,
-                walls.way_beyond(c, arrays.position[c][first + l] + moved[l]));
-          }
-      });
-
-    result.min_det_F        = min_det;
-    result.max_displacement = max_u;
-    result.beyond_wall      = beyond;
-    result.finite           = result.finite && std::isfinite(sum);
   }
 
 
@@ -434,14 +305,6 @@ namespace seiche
 
 
 
-  template StepCheck
-  Transfer<2>::check(const GridState<2> &,
-                     const PointCloud<2> &,
-                     const double) const;
-  template StepCheck
-  Transfer<3>::check(const GridState<3> &,
-                     const PointCloud<3> &,
-                     const double) const;
   template std::size_t
   Transfer<2>::grid_to_points(const GridState<2> &,
                               PointCloud<2> &,

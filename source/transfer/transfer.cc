@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
-#include <seiche/transfer/held_points.h>
 #include <seiche/transfer/transfer.h>
-#include <seiche/transfer/wall_faces.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/parameter_handler.h>
@@ -152,47 +150,6 @@ namespace seiche
                               "needs {} at least (or Transfer/Mass = lumped)",
                               degree,
                               degree + 1));
-  }
-
-
-
-  std::string
-  StepCheck::problem(const double limit, const bool holds_points) const
-  {
-    if (!finite)
-      return "a point's new position or velocity is not finite";
-    if (holds_points)
-      return "";
-    if (min_det_F < least_det_F)
-      return fmt::format("a point's volume changes by the factor {:.3g}",
-                         min_det_F);
-    if (max_displacement > limit)
-      return fmt::format("a point moves by {:.3g} cells", max_displacement);
-    if (beyond_wall > wall_tolerance)
-      return fmt::format("a point goes through a wall by {:.3g} cells",
-                         beyond_wall);
-    return "";
-  }
-
-
-
-  StepCheck
-  StepCheck::of_all_ranks(const MPI_Comm communicator) const
-  {
-    const std::array<double, 4> own = {
-      {-min_det_F, max_displacement, beyond_wall, finite ? 0. : 1.}};
-    std::array<double, 4> worst = own;
-    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-      dealii::Utilities::MPI::max(
-        dealii::ArrayView<const double>(own.data(), own.size()),
-        communicator,
-        dealii::ArrayView<double>(worst.data(), worst.size()));
-    StepCheck result;
-    result.min_det_F        = -worst[0];
-    result.max_displacement = worst[1];
-    result.beyond_wall      = worst[2];
-    result.finite           = worst[3] == 0.;
-    return result;
   }
 
 
