@@ -274,7 +274,7 @@ namespace seiche
             result.failure =
               fmt::format("Newton's update {} does not reduce the residual",
                           result.iterations);
-            result.is_usable = std::isfinite(before);
+            result.is_usable = std::isfinite(after);
             return result;
           }
         residual_change += residual;
