@@ -16,6 +16,15 @@ namespace seiche
 
     /// Relative change of a full box in a step that is round-off.
     constexpr double largest_volume_change = 1e-10;
+
+    IfUnconverged
+    if_unconverged(const bool accepts_failing_steps, const bool is_repeated)
+    {
+      if (accepts_failing_steps)
+        return IfUnconverged::take_nearest;
+      return is_repeated ? IfUnconverged::give_up :
+                           IfUnconverged::give_up_early;
+    }
   } // namespace
 
   template <int dim>
@@ -135,10 +144,7 @@ namespace seiche
       assembler.begin(step, state.time, inertia_offset, rate_offset);
       const unsigned int of_projection = last.krylov_iterations;
       const bool         accepts       = scene.time.accepts_failing_steps();
-      last                             = newton.solve(state,
-                          accepts ? IfUnconverged::take_nearest :
-                                                      is_repeated ? IfUnconverged::give_up :
-                                                                    IfUnconverged::give_up_early);
+      last = newton.solve(state, if_unconverged(accepts, is_repeated));
       last.krylov_iterations += of_projection;
       if (!last.converged && !(accepts && last.is_usable))
         return last.failure;
