@@ -46,19 +46,22 @@ namespace seiche
     struct TauEntry
     {
       const char *name;
-      bool        is_uniform;
+      bool        is_uniform; ///< needs no speed
+      bool        has_inertia;
       double (*inverse)(const StabilizationParameters &, const TauArguments &);
     };
 
     const std::array<TauEntry, 3> tau_table = {
-      {{"transient", true, transient},
+      {{"transient", true, true, transient},
        {"root of squares",
+        true,
         true,
         [](const StabilizationParameters &p, const TauArguments &cell) {
           return std::hypot(p.inertia_factor * cell.density * cell.step.inertia,
                             viscous_part(p, cell));
         }},
        {"paper",
+        false,
         false,
         [](const StabilizationParameters &p, const TauArguments &cell) {
           const double dt = cell.step.dt;
@@ -87,6 +90,12 @@ namespace seiche
       return names;
     }
   } // namespace
+
+  bool
+  StabilizationParameters::is_quasi_static() const
+  {
+    return !tau_entry(tau).has_inertia;
+  }
 
   void
   StabilizationParameters::add_parameters(ParameterHandler &prm)

@@ -47,8 +47,9 @@ namespace seiche
       for (unsigned int c = 0; c < dim; ++c)
         {
           bool unilateral = ((occupancy.dry_components(node) >> c) & 1u) == 0;
-          unsigned int sides  = 0;
-          double       extent = std::numeric_limits<double>::max();
+          unsigned int sides   = 0;
+          double       extent  = std::numeric_limits<double>::max();
+          double       spacing = extent;
           for (const auto &entry : occupancy.walls_at(node))
             if (entry.component == c)
               {
@@ -56,13 +57,17 @@ namespace seiche
                   unilateral && locator.grid.wall_condition(entry.wall) ==
                                   WallCondition::unilateral;
                 sides |= entry.sides;
-                extent = std::min(extent, locator.extent(entry.cell)[c]);
+                extent  = std::min(extent, locator.extent(entry.cell)[c]);
+                spacing = std::min(spacing,
+                                   locator.extent(entry.cell)[c] /
+                                     occupancy.degree(entry.cell));
               }
           if (unilateral && (sides == 1u || sides == 2u))
             contacts.push_back({node,
                                 c,
                                 sides == 1u ? 1. : -1.,
                                 extent,
+                                spacing,
                                 /*pressing=*/0.,
                                 /*margin=*/0.,
                                 /*releases=*/0});
@@ -90,11 +95,11 @@ namespace seiche
           (std::sqrt(speed) / state.dt +
            body_force.value(occupancy.node_position(contact.node), state.time)
              .norm());
-        // a hat at a wall: its area is 2 degree/h times its volume, mass over
-        // density
+        // a hat at a wall: its area is twice its volume, mass over density,
+        // over the way to the next node
         contact.pressing =
           std::max(0., state.pressure_guess.local_element(contact.node)) *
-          mass / density * 2. * occupancy.fe.degree / contact.extent;
+          mass / density * 2. / contact.spacing;
         contact.releases     = 0;
         const unsigned int i = dim * contact.node + contact.component;
         const double       velocity =

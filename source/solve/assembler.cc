@@ -127,14 +127,12 @@ namespace seiche
                                   BlockVector          &sums)
   {
     sums = 0.;
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
-      for (const unsigned int cell : occupancy.occupied_cells())
-        {
-          auto &data = this->template gather<degree>(cell, state);
-          formulation.projected_terms(data);
-          this->template scatter<degree>(cell, data, sums);
-        }
-    });
+    for (const unsigned int cell : occupancy.occupied_cells())
+      with_degree(occupancy.degree(cell), [&](const auto degree) {
+        auto &data = this->template gather<degree>(cell, state);
+        formulation.projected_terms(data);
+        this->template scatter<degree>(cell, data, sums);
+      });
     sums.compress(VectorOperation::add);
   }
 

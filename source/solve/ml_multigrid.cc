@@ -1,32 +1,45 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/ml_multigrid.h>
 
+#include <deal.II/base/exceptions.h>
+
+#include <Epetra_CrsMatrix.h>
 #include <Epetra_MpiComm.h>
+#include <Epetra_Vector.h>
 #include <ml_MultiLevelPreconditioner.h>
 
 namespace seiche
 {
+  namespace
+  {
+    std::unique_ptr<Epetra_CrsMatrix>
+    copy(const DistributedRows &rows, const MPI_Comm communicator)
+    {
+      const int        n_rows = rows.length.size();
+      const Epetra_Map map(-1, n_rows, 0, Epetra_MpiComm(communicator));
+      auto             matrix = std::make_unique<Epetra_CrsMatrix>(Copy,
+                                                       map,
+                                                       rows.length.data(),
+                                                       /*StaticProfile=*/true);
+      std::size_t      begin  = 0;
+      for (int row = 0; row < n_rows; ++row)
+        {
+          matrix->InsertGlobalValues(rows.first + row,
+                                     rows.length[row],
+                                     &rows.value[begin],
+                                     &rows.column[begin]);
+          begin += rows.length[row];
+        }
+      matrix->FillComplete();
+      matrix->OptimizeStorage();
+      return matrix;
+    }
+  } // namespace
+
   MLMultigrid::MLMultigrid(const DistributedRows &rows,
                            const MPI_Comm         communicator)
+    : matrix(copy(rows, communicator))
   {
-    const int        n_rows = rows.length.size();
-    const Epetra_Map map(-1, n_rows, 0, Epetra_MpiComm(communicator));
-    matrix            = std::make_unique<Epetra_CrsMatrix>(Copy,
-                                                map,
-                                                rows.length.data(),
-                                                /*StaticProfile=*/true);
-    std::size_t begin = 0;
-    for (int row = 0; row < n_rows; ++row)
-      {
-        matrix->InsertGlobalValues(rows.first + row,
-                                   rows.length[row],
-                                   &rows.value[begin],
-                                   &rows.column[begin]);
-        begin += rows.length[row];
-      }
-    matrix->FillComplete();
-    matrix->OptimizeStorage();
-
     // measured: doc/journal/multigrid.md
     Teuchos::ParameterList settings;
     ML_Epetra::SetDefaults("SA", settings);
@@ -40,12 +53,20 @@ namespace seiche
     settings.set("smoother: sweeps", 1);
     settings.set("coarse: type", "Amesos-KLU");
     settings.set("coarse: max size", 100);
-    hierarchy.initialize(*matrix, settings);
+    hierarchy =
+      std::make_unique<ML_Epetra::MultiLevelPreconditioner>(*matrix, settings);
   }
+
+  MLMultigrid::~MLMultigrid() = default;
 
   void
   MLMultigrid::vmult(Vector &dst, const Vector &src) const
   {
-    hierarchy.vmult(dst, src);
+    const Epetra_Map &map = matrix->RowMap();
+    Epetra_Vector     result(View, map, dst.begin());
+    // ML reads it only
+    const Epetra_Vector source(View, map, const_cast<double *>(src.begin()));
+    const int           error = hierarchy->ApplyInverse(source, result);
+    AssertThrow(error == 0, dealii::ExcInternalError());
   }
 } // namespace seiche

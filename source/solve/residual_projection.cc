@@ -104,28 +104,10 @@ namespace seiche
   ResidualProjection<dim>::make_diagonal()
   {
     inverse_diagonal.reinit(sums);
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
-      constexpr unsigned int  k = decltype(degree)::value;
-      PointKinematics<dim, k> point;
-      CellQuadrature<dim>     points;
-      for (const unsigned int cell : occupancy.occupied_cells())
-        {
-          quadrature.get(cell, points);
-          double weights[PointKinematics<dim, k>::n_nodes] = {};
-          for (unsigned int q = 0; q < points.size; ++q)
-            {
-              point.shape(points.point(q), occupancy.locator.extent(cell));
-              for (unsigned int a = 0; a < point.n_nodes; ++a)
-                weights[a] +=
-                  points.volume[q] *
-                  (lumped ? point.lumped(a) : point.N[a] * point.N[a]);
-            }
-          occupancy.condense(cell, weights);
-          for (unsigned int a = 0; a < point.n_nodes; ++a)
-            inverse_diagonal.block(1).local_element(
-              occupancy.cell_nodes(cell)[a]) += weights[a];
-        }
-    });
+    for (const unsigned int cell : occupancy.occupied_cells())
+      with_degree(occupancy.degree(cell), [&](const auto degree) {
+        this->template add_diagonal<degree>(cell);
+      });
     inverse_diagonal.block(1).compress(VectorOperation::add);
     for (unsigned int i = 0; i < inverse_diagonal.block(1).locally_owned_size();
          ++i)
@@ -144,9 +126,10 @@ namespace seiche
     src.update_ghost_values();
     dst = 0.;
     dst.zero_out_ghost_values();
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
-      this->template add_products<degree>(dst, src);
-    });
+    for (const unsigned int cell : occupancy.occupied_cells())
+      with_degree(occupancy.degree(cell), [&](const auto degree) {
+        this->template add_products<degree>(cell, src, dst);
+      });
     dst.compress(VectorOperation::add);
     src.zero_out_ghost_values();
   }
@@ -154,46 +137,64 @@ namespace seiche
   template <int dim>
   template <int degree>
   void
-  ResidualProjection<dim>::add_products(BlockVector       &dst,
-                                        const BlockVector &src) const
+  ResidualProjection<dim>::add_diagonal(const unsigned int cell)
   {
     constexpr unsigned int       n_nodes = CellData<dim, degree>::n_nodes;
     PointKinematics<dim, degree> point;
     CellQuadrature<dim>          points;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    quadrature.get(cell, points);
+    double weights[n_nodes] = {};
+    for (unsigned int q = 0; q < points.size; ++q)
       {
-        quadrature.get(cell, points);
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        double values[dim + 1][n_nodes], products[dim + 1][n_nodes];
+        point.shape(points.point(q), occupancy.locator.extent(cell));
         for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            for (unsigned int c = 0; c < dim; ++c)
-              values[c][a] = src.block(0).local_element(dim * nodes[a] + c);
-            values[dim][a] = src.block(1).local_element(nodes[a]);
-          }
+          weights[a] += points.volume[q] *
+                        (lumped ? point.lumped(a) : point.N[a] * point.N[a]);
+      }
+    const auto nodes = occupancy.template unknowns<degree>(cell);
+    nodes.condense(weights);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      inverse_diagonal.block(1).local_element(nodes[a]) += weights[a];
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  ResidualProjection<dim>::add_products(const unsigned int cell,
+                                        const BlockVector &src,
+                                        BlockVector       &dst) const
+  {
+    constexpr unsigned int       n_nodes = CellData<dim, degree>::n_nodes;
+    PointKinematics<dim, degree> point;
+    CellQuadrature<dim>          points;
+    quadrature.get(cell, points);
+    const auto nodes = occupancy.template unknowns<degree>(cell);
+    double     values[dim + 1][n_nodes], products[dim + 1][n_nodes] = {};
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          values[c][a] = src.block(0).local_element(dim * nodes[a] + c);
+        values[dim][a] = src.block(1).local_element(nodes[a]);
+      }
+    for (unsigned int c = 0; c <= dim; ++c)
+      nodes.expand(values[c]);
+    for (unsigned int q = 0; q < points.size; ++q)
+      {
+        point.shape(points.point(q), occupancy.locator.extent(cell));
         for (unsigned int c = 0; c <= dim; ++c)
           {
-            occupancy.expand(cell, values[c]);
-            std::fill_n(products[c], n_nodes, 0.);
+            const double value = points.volume[q] * point.value(values[c]);
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              products[c][a] += value * point.N[a];
           }
-        for (unsigned int q = 0; q < points.size; ++q)
-          {
-            point.shape(points.point(q), occupancy.locator.extent(cell));
-            for (unsigned int c = 0; c <= dim; ++c)
-              {
-                const double value = points.volume[q] * point.value(values[c]);
-                for (unsigned int a = 0; a < n_nodes; ++a)
-                  products[c][a] += value * point.N[a];
-              }
-          }
-        for (unsigned int c = 0; c <= dim; ++c)
-          occupancy.condense(cell, products[c]);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            for (unsigned int c = 0; c < dim; ++c)
-              dst.block(0).local_element(dim * nodes[a] + c) += products[c][a];
-            dst.block(1).local_element(nodes[a]) += products[dim][a];
-          }
+      }
+    for (unsigned int c = 0; c <= dim; ++c)
+      nodes.condense(products[c]);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          dst.block(0).local_element(dim * nodes[a] + c) += products[c][a];
+        dst.block(1).local_element(nodes[a]) += products[dim][a];
       }
   }
 

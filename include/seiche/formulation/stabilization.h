@@ -80,10 +80,7 @@ namespace seiche
 
     /// True if tau1 is that of equation 25, without inertia.
     bool
-    is_quasi_static() const
-    {
-      return tau == "paper";
-    }
+    is_quasi_static() const;
 
     /// True if the subscales are orthogonal to the finite elements.
     bool

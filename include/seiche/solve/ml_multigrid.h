@@ -4,9 +4,13 @@
 
 #include <seiche/solve/multigrid.h>
 
-#include <deal.II/lac/trilinos_precondition.h>
+// of Trilinos, whose headers only ml_multigrid.cc needs
+class Epetra_CrsMatrix;
 
-#include <Epetra_CrsMatrix.h>
+namespace ML_Epetra
+{
+  class MultiLevelPreconditioner;
+}
 
 namespace seiche
 {
@@ -15,13 +19,14 @@ namespace seiche
   {
   public:
     MLMultigrid(const DistributedRows &rows, const MPI_Comm communicator);
+    ~MLMultigrid() override;
 
     void
     vmult(Vector &dst, const Vector &src) const override;
 
   private:
-    std::unique_ptr<Epetra_CrsMatrix>         matrix;
-    dealii::TrilinosWrappers::PreconditionAMG hierarchy;
+    const std::unique_ptr<Epetra_CrsMatrix>              matrix;
+    std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> hierarchy;
   };
 } // namespace seiche
 

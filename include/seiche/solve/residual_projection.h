@@ -49,7 +49,13 @@ namespace seiche
 
     template <int degree>
     void
-    add_products(BlockVector &dst, const BlockVector &src) const;
+    add_diagonal(const unsigned int cell);
+
+    template <int degree>
+    void
+    add_products(const unsigned int cell,
+                 const BlockVector &src,
+                 BlockVector       &dst) const;
 
     Assembler<dim>                &assembler;
     const Quadrature<dim>         &quadrature;
