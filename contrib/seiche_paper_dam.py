@@ -110,24 +110,24 @@ def front(dam, output, numbers):
     for name, label, line in CURVES:
         time, height = dam[name].series("gauge column [m]", "time [s]")
         if len(time):
-            place = dam[name].series("front surge [m]", "time [s]")[1]
+            place = dam[name].series("front half_cell [m]", "time [s]")[1]
             left.plot(time, height, label=label, **line)
             right.plot(time, place, label=label, **line)
             shifts[name] = compare_front(name, time, place, experiment, numbers)
     foam = reference("benchmarks", STUDY, "reference", "interfoam.csv")
     left.plot(foam[0], foam[2], "k-.", lw=0.9, label="interFoam, h = 0.025 m")
-    right.plot(foam[0], foam[1], "k-.", lw=0.9, label="interFoam, h = 0.025 m")
+    right.plot(foam[0], foam[1], "k-.", lw=0.9, label="interFoam, h = 0.025 m, y = 0.0125 m")
     shifts["interFoam"] = compare_front("interFoam", foam[0], foam[1], experiment, numbers)
     # One for the picture: this code's, or the first that there is.
     shift = next(shifts[name] for name in ("mixed", "paper, mixed", "interFoam")
                  if shifts.get(name) is not None)
     right.plot(t, experiment[1], ".", color="0.7", ms=3, label="Lobovsky et al. 2014, as recorded")
     right.plot(t - shift, experiment[1], "k.", ms=4,
-               label="the same, %.0f ms earlier" % (1000 * shift))
+               label="the same, %.0f ms %s" % (1000 * abs(shift), "earlier" if shift > 0 else "later"))
     t, x = record("martin_moyce_front_square_column")
     right.plot(t, GATE + HEIGHT * x, "k^", ms=4, mfc="none", label="Martin, Moyce 1952")
     left.set(ylabel="height of the column at x = 0 [m]", ylim=(0.35, 0.65))
-    right.set(ylabel="x of the front [m]", ylim=(1.15, 3.3))
+    right.set(ylabel="x of the front at y = 0.025 m [m]", ylim=(1.15, 3.3))
     for axes, place in ((left, "lower left"), (right, "upper left")):
         axes.set(xlim=(0, 0.8), xlabel="t [s]")
         axes.grid(alpha=0.3)
