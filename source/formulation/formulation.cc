@@ -2,6 +2,7 @@
 #include <seiche/formulation/displacement.h>
 #include <seiche/formulation/displacement_pressure_vms.h>
 #include <seiche/formulation/formulation.h>
+#include <seiche/parameters/input_file.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -66,6 +67,17 @@ namespace seiche
                       Patterns::Selection("consistent|lumped"));
     prm.leave_subsection();
     stabilization.add_parameters(prm);
+  }
+
+  void
+  FormulationParameters::check(const InputFile &input) const
+  {
+    stabilization.check(input, is_mixed());
+    input.require(degree == 1 || !lumps_inertia(),
+                  "Formulation/Inertia",
+                  "lumped masses make elements of degree 2 less accurate than "
+                  "those of degree 1: set it to consistent, or Element degree "
+                  "to 1");
   }
 
   template <int dim>

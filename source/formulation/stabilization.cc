@@ -112,7 +112,9 @@ namespace seiche
                       "What the momentum's subscale resolves with ASGS and "
                       "OSGS: the whole residual, or body force, viscous force "
                       "and pressure gradient without inertia, as in the code "
-                      "of the founding paper for fluids [-]",
+                      "of the founding paper for fluids; that one is wrong by "
+                      "tau1 rho a where the fluid accelerates, and has its "
+                      "place in the paper's recipe with its small steps [-]",
                       Patterns::Selection("whole|without inertia"));
     prm.add_parameter("Projection updates",
                       projection_updates,

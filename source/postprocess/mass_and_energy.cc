@@ -363,6 +363,13 @@ namespace seiche
 
   template <int dim>
   double
+  MassAndEnergy<dim>::relative_energy_gain() const
+  {
+    return start.energy() > 0. ? energy_rise / start.energy() : 0.;
+  }
+
+  template <int dim>
+  double
   MassAndEnergy<dim>::relative_energy() const
   {
     return start.energy() > 0. ? now.energy() / start.energy() : undefined;

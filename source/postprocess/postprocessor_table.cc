@@ -288,6 +288,13 @@ namespace seiche
 
   template <int dim>
   double
+  PostprocessorList<dim>::relative_energy_gain() const
+  {
+    return implementation->ledger->relative_energy_gain();
+  }
+
+  template <int dim>
+  double
   PostprocessorList<dim>::relative_energy() const
   {
     return implementation->ledger->relative_energy();

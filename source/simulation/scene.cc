@@ -80,7 +80,7 @@ namespace seiche
     body_force.check(input_file);
     fluid.check(input_file);
     seeding.check(input_file);
-    formulation.stabilization.check(input_file, formulation.is_mixed());
+    formulation.check(input_file);
     time.check(input_file);
     transfer.check(input_file, formulation.degree, seeding.per_direction);
     linear_solver.check(input_file, formulation.is_mixed());

@@ -14,6 +14,14 @@ namespace seiche
   Simulation<dim>::begin()
   {
     scene.postprocessors.make(directory, grid, communicator);
+    const FormulationParameters &form = scene.formulation;
+    if (form.is_mixed() && !form.stabilization.has_inertia() &&
+        !form.lumps_inertia())
+      report.warn(
+        "Formulation/Subscale residual = without inertia is wrong by "
+        "tau1 rho a where the fluid accelerates: outside the founding "
+        "paper's recipe (prm/paper) choose whole",
+        "start");
     if (start != nullptr)
       {
         save_or_load(start->state());

@@ -19,12 +19,26 @@ namespace seiche
     const bool         is_mixed            = scene.formulation.is_mixed();
     const bool         has_subscales       = is_mixed && vms.is_active();
     const double       least_floor         = 1.; // cells a step
+    const double least_inertia_factor = 0.25;    // doc/methods.md, in splashes
     // first what makes the equations of a step unstable at every size
     const std::vector<std::pair<bool, std::string>> table = {
       {is_mixed && !has_subscales, "Formulation/Stabilization = ASGS"},
       {has_subscales && vms.is_quasi_static() && vms.has_inertia() &&
          vms.speed_floor < least_floor,
        "Formulation/Tau = transient"},
+      {has_subscales && !vms.is_quasi_static() &&
+         vms.inertia_factor < least_inertia_factor,
+       "Formulation/Tau inertia factor = 1"},
+      {has_subscales && !vms.has_inertia() &&
+         !scene.formulation.lumps_inertia(),
+       "Formulation/Subscale residual = whole"},
+      {has_subscales && vms.is_orthogonal(),
+       "Formulation/Stabilization = ASGS"},
+      {is_mixed && !scene.fluid.is_incompressible() &&
+         !scene.formulation.lumps_inertia(),
+       "Fluid/Bulk modulus = infinite"},
+      {!is_mixed, "a larger Fluid/Bulk modulus"},
+      {scene.time.accepts_failing_steps(), "Time/Failing steps = repeated"},
       {surface.point_inertia < 1., "Free surface/Point inertia = 1"},
       {!surface.sliver_treatment, "Free surface/Sliver treatment = true"},
       {surface.acceleration < 0.1, "Free surface/Ghost acceleration = 0.1"},

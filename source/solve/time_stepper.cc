@@ -96,8 +96,9 @@ namespace seiche
                       "is taken, with the iterate of the least residual; a "
                       "point goes only the part of its way on which it keeps "
                       "a fifth of its volume, moves no farther than Maximum "
-                      "displacement and passes no wall, its volume ratio stays "
-                      "within 0.25 of one, and summary.json counts both. A "
+                      "displacement and passes no wall, and its volume ratio is "
+                      "kept within 0.25 of one then; summary.json counts such "
+                      "steps and points. A "
                       "residual that is not finite repeats the step even so",
                       Patterns::Selection("repeated|accepted"));
     prm.add_parameter("Velocity projection",

@@ -272,13 +272,12 @@ namespace seiche
         for (unsigned int l = 0; l < n_filled; ++l)
           arrays.volume_ratio[first + l] *=
             mean_volume && !is_held[l] ? result[l] : det[l];
-        if (held.any_may_be())
-          for (unsigned int l = 0; l < n_filled; ++l)
+        for (unsigned int l = 0; l < n_filled; ++l)
+          if (is_held[l])
             {
-              double      &ratio   = arrays.volume_ratio[first + l];
-              const double bounded = held.bounded(ratio);
-              n_held += is_held[l] || bounded != ratio;
-              ratio = bounded;
+              ++n_held;
+              double &ratio = arrays.volume_ratio[first + l];
+              ratio         = held.bounded(ratio);
             }
         rule.update(block, arrays, first, n_filled);
         if (arrays.gradient[0] != nullptr)

@@ -137,7 +137,7 @@ namespace seiche
                                   update != VelocityUpdate::fmpm),
                   "Transfer/Method",
                   "the series of XPIC and FMPM need Formulation/Element degree "
-                  "= 1; with degree 2 use Transfer/Mass = consistent");
+                  "= 1; with degree 2 choose another Method, such as FLIP");
     input.require(!is_consistent(degree) || (update != VelocityUpdate::xpic &&
                                              update != VelocityUpdate::fmpm),
                   "Transfer/Mass",
@@ -147,7 +147,7 @@ namespace seiche
     input.require(!is_consistent(degree) || points_per_direction > degree,
                   "Points/Per cell and direction",
                   fmt::format("the consistent mass of elements of degree {} "
-                              "needs {} at least (or Transfer/Mass = lumped)",
+                              "needs {} at least",
                               degree,
                               degree + 1));
   }

@@ -291,6 +291,11 @@ GEOMETRY = [
                     "--set", "Formulation/Name = displacement",
                     "--set", "Formulation/Subscale residual = without inertia"],
          expect=['"Subscale residual" in "Formulation"', "mixed"]),
+    Case("lumped inertia of elements of degree 2",
+         **added("subsection Formulation\n  set Element degree = 2\n"
+                 "  set Inertia = lumped\nend\n"
+                 "subsection Points\n  set Per cell and direction = 4\nend\n"),
+         line=LAST + 3, expect=['"Inertia" in "Formulation"', "degree"]),
     Case("a multigrid for systems that may be factorised",
          **added("subsection Solver\n  set Multigrid = ML\nend\n"),
          line=LAST + 2, expect=['"Multigrid" in "Solver"',

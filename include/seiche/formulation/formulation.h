@@ -45,6 +45,8 @@ namespace seiche
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(const InputFile &input) const;
 
     bool
     lumps_inertia() const

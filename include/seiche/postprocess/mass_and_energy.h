@@ -44,6 +44,11 @@ namespace seiche
     double
     relative_energy() const;
 
+    /// Largest rise of the energy above an earlier value, over that at the
+    /// start; 0 if there was none.
+    double
+    relative_energy_gain() const;
+
   private:
     static constexpr unsigned int n_rotations = (dim == 2 ? 1 : 3);
 

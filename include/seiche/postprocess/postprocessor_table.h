@@ -64,6 +64,10 @@ namespace seiche
     double
     relative_energy() const;
 
+    /// MassAndEnergy::relative_energy_gain().
+    double
+    relative_energy_gain() const;
+
   private:
     struct Implementation;
     std::unique_ptr<Implementation> implementation;
