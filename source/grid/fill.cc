@@ -17,6 +17,7 @@ namespace seiche
     constexpr double surface_weight_begins = 0.7;
     constexpr double surface_weight_range  = 0.25;
     constexpr double detached_below        = 0.5;
+    constexpr double fragment_below        = 0.02;
 
     double
     rounded(const double fill)
@@ -26,14 +27,31 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  Fill<dim>::Fill(const Occupancy<dim> &grid_occupancy, const bool gauss)
+  Fill<dim>::Fill(Occupancy<dim>      &grid_occupancy,
+                  const QuadratureRule quadrature_rule)
     : occupancy(grid_occupancy)
-    , gauss_in_full_cells(gauss)
+    , rule(quadrature_rule)
+    , boxes(occupancy)
+    , free_surface(rule == QuadratureRule::cut_cells ?
+                     std::make_unique<Surface<dim>>(occupancy) :
+                     nullptr)
   {}
 
   template <int dim>
   void
   Fill<dim>::update(const PointCloud<dim> &points)
+  {
+    sum_points(points);
+    if (rule == QuadratureRule::cut_cells)
+      find_surface(points);
+    classify(points);
+    collect_linear_cells();
+    collect_ghost_faces();
+  }
+
+  template <int dim>
+  void
+  Fill<dim>::sum_points(const PointCloud<dim> &points)
   {
     // by the hats of FE_Q(1), for every degree
     using Shape                       = TensorShape<dim, 1>;
@@ -43,7 +61,8 @@ namespace seiche
     double                 total  = 0.;
     fill.assign(locator.n_cells(), 0.);
     node_fill.reinit(occupancy.scalar_partitioner());
-    double N[n_vertices], nodal[HangingNodes<dim>::max_nodes];
+    const bool has_boxes = rule == QuadratureRule::cut_cells;
+    double     N[n_vertices], nodal[HangingNodes<dim>::max_nodes];
     for (const unsigned int cell : occupancy.occupied_cells())
       {
         double sum = 0.;
@@ -52,13 +71,21 @@ namespace seiche
              p < points.first_point(cell + 1);
              ++p)
           {
-            Shape::values(locator.to_unit(cell, points.position(p)), N);
+            const Point<dim> unit = locator.to_unit(cell, points.position(p));
             sum += volume[p];
-            for (unsigned int v = 0; v < n_vertices; ++v)
-              nodal[occupancy.vertex_node(v)] += N[v] * volume[p];
+            if (has_boxes)
+              boxes.add(cell, unit, volume[p], node_fill);
+            else
+              {
+                Shape::values(unit, N);
+                for (unsigned int v = 0; v < n_vertices; ++v)
+                  nodal[occupancy.vertex_node(v)] += N[v] * volume[p];
+              }
           }
         fill[cell] = rounded(sum / locator.measure(cell));
         total += sum;
+        if (has_boxes)
+          continue;
         const unsigned int *nodes = occupancy.cell_nodes(cell);
         occupancy.condense(cell, nodal);
         for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
@@ -78,10 +105,45 @@ namespace seiche
     const MPI_Comm communicator = points.communicator;
     overfull                    = Utilities::MPI::sum(excess, communicator) /
                Utilities::MPI::sum(total, communicator);
+  }
 
-    classify(points);
-    collect_linear_cells();
-    collect_ghost_faces();
+  template <int dim>
+  bool
+  Fill<dim>::touches_unoccupied(const unsigned int cell) const
+  {
+    const auto neighbors = occupancy.locator.vertex_neighbors(cell);
+    return std::any_of(neighbors.begin(),
+                       neighbors.end(),
+                       [&](const unsigned int c) {
+                         return !occupancy.is_occupied(c);
+                       });
+  }
+
+  template <int dim>
+  void
+  Fill<dim>::find_surface(const PointCloud<dim> &points)
+  {
+    const auto &locator = occupancy.locator;
+    free_surface->update(node_fill);
+    std::vector<unsigned int> without_points;
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      if (!occupancy.is_occupied(cell) && surface().inside_share(cell) > 0.)
+        without_points.push_back(cell);
+    occupancy.occupy(without_points);
+
+    loose.assign(points.size(), 0.);
+    has_loose.assign(locator.n_owned(), 0);
+    for (const unsigned int cell : occupancy.occupied_cells())
+      if (surface().inside_share(cell) < 1.)
+        for (std::size_t p = points.first_point(cell);
+             p < points.first_point(cell + 1);
+             ++p)
+          {
+            loose[p] =
+              surface().loose_share(cell,
+                                    locator.to_unit(cell, points.position(p)));
+            has_loose[cell] = has_loose[cell] || loose[p] > 0.;
+          }
   }
 
   template <int dim>
@@ -104,6 +166,53 @@ namespace seiche
   }
 
   template <int dim>
+  typename Fill<dim>::Content
+  Fill<dim>::content(const unsigned int     cell,
+                     const PointCloud<dim> &points) const
+  {
+    if (rule == QuadratureRule::cut_cells)
+      {
+        const double  share = surface().inside_share(cell);
+        const double *part  = loose_shares(points, cell);
+        double        loose = 0.;
+        if (part != nullptr)
+          for (unsigned int p = 0; p < points.n_points_in(cell); ++p)
+            loose +=
+              part[p] *
+              points.data(
+                PointColumn::initial_volume)[points.first_point(cell) + p];
+        loose /= occupancy.locator.measure(cell);
+        return {share < 1.,
+                share < 1. ? 0. : 1.,
+                loose,
+                share + loose,
+                share < fragment_below};
+      }
+    double              at_nodes[HangingNodes<dim>::max_nodes];
+    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+      at_nodes[a] = node_fill.local_element(nodes[a]);
+    occupancy.expand(cell, at_nodes);
+    const bool is_cut = touches_unoccupied(cell) || is_detached(cell, at_nodes);
+    double     weight = 0.;
+    if (rule == QuadratureRule::hybrid)
+      {
+        double least = std::numeric_limits<double>::max();
+        for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+          least = std::min(least, at_nodes[occupancy.vertex_node(v)]);
+        // distance to the surface first, fill second: lattices stretched by
+        // the flow make fill vary where there is no surface
+        weight =
+          is_cut ?
+            std::clamp((least - surface_weight_begins) / surface_weight_range,
+                       0.,
+                       1.) :
+            (least > inner_needs_fill ? 1. : 0.);
+      }
+    return {is_cut, weight, (1. - weight) * fill[cell], fill[cell], true};
+  }
+
+  template <int dim>
   void
   Fill<dim>::classify(const PointCloud<dim> &points)
   {
@@ -113,45 +222,20 @@ namespace seiche
     flags.assign(n_cells, 0);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        const auto neighbors = occupancy.locator.vertex_neighbors(cell);
-        double     at_nodes[HangingNodes<dim>::max_nodes];
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          at_nodes[a] = node_fill.local_element(nodes[a]);
-        occupancy.expand(cell, at_nodes);
-        const bool is_at_surface =
-          std::any_of(neighbors.begin(),
-                      neighbors.end(),
-                      [&](const unsigned int c) {
-                        return !occupancy.is_occupied(c);
-                      }) ||
-          is_detached(cell, at_nodes);
-        double least = std::numeric_limits<double>::max();
-        for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
-          least = std::min(least, at_nodes[occupancy.vertex_node(v)]);
-
-        // distance to the surface first, fill second: lattices stretched by
-        // the flow make fill vary where there is no surface
-        if (gauss_in_full_cells)
-          weight[cell] =
-            is_at_surface ?
-              std::clamp((least - surface_weight_begins) / surface_weight_range,
-                         0.,
-                         1.) :
-              (least > inner_needs_fill ? 1. : 0.);
-        if (is_at_surface)
+        const Content here = content(cell, points);
+        weight[cell]       = here.gauss_weight;
+        if (here.is_cut)
           flags[cell] |= cut;
-        if (is_at_surface && fill[cell] < thin_below)
+        if (here.is_cut && here.is_fragment && here.volume < thin_below)
           flags[cell] |= thin;
-        if (weight[cell] < 1. && fill[cell] < sliver_below)
+        if (weight[cell] < 1. && here.is_fragment && here.volume < sliver_below)
           flags[cell] |= sliver;
-        if (weight[cell] < 1.)
+        if (here.loose > 0.)
           {
             // points may be larger than cells where the mesh was refined
             const double share =
               std::min(1., fill[cell] / points.n_points_in(cell));
-            extent_moments[cell] = (1. - weight[cell]) * fill[cell] *
-                                   std::pow(share, 2. / dim) / 12.;
+            extent_moments[cell] = here.loose * std::pow(share, 2. / dim) / 12.;
           }
       }
     occupancy.locator.exchange_to_ghosts(weight);
@@ -166,7 +250,8 @@ namespace seiche
   {
     linear.assign(occupancy.locator.n_owned(), 0);
     for (const unsigned int cell : occupancy.occupied_cells())
-      linear[cell] = is_cut(cell) || (gauss_in_full_cells && weight[cell] < 1.);
+      linear[cell] =
+        is_cut(cell) || (rule == QuadratureRule::hybrid && weight[cell] < 1.);
   }
 
   template <int dim>

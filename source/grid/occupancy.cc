@@ -34,9 +34,11 @@ namespace seiche
 
   template <int dim>
   Occupancy<dim>::Occupancy(const CellLocator<dim> &cell_locator,
-                            const unsigned int      degree)
+                            const unsigned int      degree,
+                            const bool              neighbors_too)
     : locator(cell_locator)
     , fe(degree)
+    , with_neighbors(neighbors_too)
     , dof_handler(cell_locator.grid.triangulation)
   {
     reinit();
@@ -200,7 +202,13 @@ namespace seiche
       if (occupied_flag[cell])
         {
           occupied.push_back(cell);
-          inside = inside && active_flag[cell];
+          const auto neighbors = locator.vertex_neighbors(cell);
+          inside               = inside && active_flag[cell] &&
+                   (!with_neighbors || std::all_of(neighbors.begin(),
+                                                   neighbors.end(),
+                                                   [&](const unsigned int c) {
+                                                     return active_flag[c];
+                                                   }));
         }
     global_occupied =
       Utilities::MPI::sum(static_cast<std::uint64_t>(occupied.size()),
@@ -212,6 +220,20 @@ namespace seiche
     fixed.resize(n_local_nodes());
     for (unsigned int node = 0; node < fixed.size(); ++node)
       fixed[node] = wall_components(node);
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::occupy(const std::vector<unsigned int> &cells)
+  {
+    for (const unsigned int cell : cells)
+      occupied_flag[cell] = true;
+    exchange_flag(occupied_flag);
+    occupied.insert(occupied.end(), cells.begin(), cells.end());
+    std::sort(occupied.begin(), occupied.end());
+    global_occupied =
+      Utilities::MPI::sum(static_cast<std::uint64_t>(occupied.size()),
+                          locator.grid.triangulation.get_communicator());
   }
 
   template <int dim>
@@ -288,16 +310,22 @@ namespace seiche
   void
   Occupancy<dim>::number()
   {
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    // the outermost layer of neighbours saves numberings
+    active_flag = occupied_flag;
+    for (unsigned int layer = 0; layer < (with_neighbors ? 2 : 1); ++layer)
       {
-        const auto neighbors = locator.vertex_neighbors(cell);
-        active_flag[cell] =
-          occupied_flag[cell] ||
-          std::any_of(neighbors.begin(),
-                      neighbors.end(),
-                      [&](const unsigned int c) { return occupied_flag[c]; });
+        const std::vector<char> before = active_flag;
+        for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+          {
+            const auto neighbors = locator.vertex_neighbors(cell);
+            active_flag[cell] =
+              before[cell] ||
+              std::any_of(neighbors.begin(),
+                          neighbors.end(),
+                          [&](const unsigned int c) { return before[c]; });
+          }
+        exchange_flag(active_flag);
       }
-    exchange_flag(active_flag);
 
     const unsigned int      n_nodes    = nodes_per_cell();
     const unsigned int      n_own_full = full_partitioner->locally_owned_size();

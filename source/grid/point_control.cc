@@ -30,6 +30,12 @@ namespace seiche
                       "Cells that a point moves in a sweep for a difference "
                       "of one in the fill of neighbouring nodes. [-]",
                       Patterns::Double(0., 0.3));
+    prm.add_parameter("Density time",
+                      density_time,
+                      "With Quadrature/Rule = cut cells: time constant with "
+                      "which points are moved until the nodal fill inside the "
+                      "fluid is one; 0: they are not. [s]",
+                      Patterns::Double(0.));
     prm.add_parameter("Reseeding",
                       reseeding,
                       "Split points in cells that hold few of them, merge "

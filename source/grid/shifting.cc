@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/shift_point.h>
 #include <seiche/grid/shifting.h>
 #include <seiche/utilities/shape_functions.h>
 
@@ -38,25 +39,6 @@ namespace seiche
     // master of a hanging node lies beyond the coarse neighbour
     inside.zero_out_ghost_values();
     inside.update_ghost_values();
-  }
-
-  template <int dim>
-  void
-  Shifting<dim>::respect_walls(const unsigned int cell,
-                               const Point<dim>  &unit,
-                               Tensor<1, dim>    &delta) const
-  {
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const bool up = delta[d] > 0.;
-        if (occupancy.locator.boundary_id(cell, 2 * d + up) ==
-            numbers::internal_face_boundary_id)
-          continue;
-        const double length   = std::abs(delta[d]);
-        const double distance = std::max(0., up ? 1. - unit[d] : unit[d]);
-        if (length > 0.)
-          delta[d] *= distance / (distance + length);
-      }
   }
 
   template <int dim>
@@ -119,28 +101,7 @@ namespace seiche
             for (unsigned int d = 0; d < dim; ++d)
               delta[d] =
                 std::clamp(weight * delta[d], -longest_shift, longest_shift);
-            respect_walls(cell, unit, delta);
-
-            Point<dim> place = points.position(p);
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                delta[d] *= locator.extent(cell)[d];
-                place[d] += delta[d];
-              }
-            // around the edge of an obstacle
-            if (!locator.holds(cell, place) &&
-                locator.find(place, cell) == CellLocator<dim>::invalid)
-              continue;
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                points.data(PointColumn::position, c)[p] = place[c];
-                double &velocity = points.data(PointColumn::velocity, c)[p];
-                if (points.has(PointColumn::velocity_gradient))
-                  for (unsigned int d = 0; d < dim; ++d)
-                    velocity +=
-                      delta[d] * points.data(PointColumn::velocity_gradient,
-                                             c * dim + d)[p];
-              }
+            shift_point(cell, p, delta, points);
           }
       }
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace seiche
 {
@@ -14,6 +15,71 @@ namespace seiche
 
   namespace
   {
+    /// J_n in a cell: mean + slope.(x - center) within what points have.
+    template <int dim>
+    struct LinearRatio
+    {
+      Point<dim>     center; // in units of the cell
+      Tensor<1, dim> slope;
+      double         mean = 1., least = 1., largest = 1.;
+
+      double
+      value(const Point<dim> &unit) const
+      {
+        return std::clamp(mean + slope * (unit - center), least, largest);
+      }
+    };
+
+    /// J_n as GaussRatio says. Linear: least squares, weighted by V0 (the
+    /// mean jumps, by the gradient, whenever a point crosses a face).
+    template <int dim>
+    LinearRatio<dim>
+    ratio_of(const PointCloud<dim> &points,
+             const unsigned int     cell,
+             const GaussRatio       ratio)
+    {
+      if (ratio == GaussRatio::one || points.n_points_in(cell) == 0)
+        return {};
+      const double *volume = points.data(PointColumn::initial_volume);
+      const double *J_p    = points.data(PointColumn::volume_ratio);
+      const auto    begin  = points.first_point(cell),
+                 end       = points.first_point(cell + 1);
+      const auto unit      = [&](const std::size_t p) {
+        return points.locator.to_unit(cell, points.position(p));
+      };
+      LinearRatio<dim> J;
+      Tensor<1, dim>   center;
+      double           sum = 0., total = 0.;
+      J.least   = std::numeric_limits<double>::max();
+      J.largest = 0.;
+      for (std::size_t p = begin; p < end; ++p)
+        {
+          total += volume[p];
+          sum += volume[p] * J_p[p];
+          center += volume[p] * (unit(p) - Point<dim>());
+          J.least   = std::min(J.least, J_p[p]);
+          J.largest = std::max(J.largest, J_p[p]);
+        }
+      J.mean   = sum / total;
+      J.center = Point<dim>() + center / total;
+      if (ratio == GaussRatio::mean)
+        return J;
+
+      Tensor<2, dim> moment;
+      Tensor<1, dim> product;
+      for (std::size_t p = begin; p < end; ++p)
+        {
+          const Tensor<1, dim> arm    = unit(p) - J.center;
+          const double         weight = volume[p] / total;
+          moment += weight * outer_product(arm, arm);
+          product += weight * (J_p[p] - J.mean) * arm;
+        }
+      // a uniform cell has 1/12 on the diagonal
+      if (determinant(moment) > 0.1 * std::pow(1. / 12., dim))
+        J.slope = invert(moment) * product;
+      return J;
+    }
+
     template <int dim>
     class MaterialPoints : public Quadrature<dim>
     {
@@ -29,6 +95,25 @@ namespace seiche
         quadrature.clear();
         append(cell, 1., quadrature);
         quadrature.pad();
+      }
+
+      /// The cell's points, with a weight for each that may be zero.
+      void
+      append(const unsigned int   cell,
+             const double        *weights,
+             CellQuadrature<dim> &quadrature) const
+      {
+        const double *mass   = points.data(PointColumn::mass);
+        const double *volume = points.data(PointColumn::initial_volume);
+        const double *ratio  = points.data(PointColumn::volume_ratio);
+        const auto    first  = points.first_point(cell);
+        for (std::size_t p = first; p < points.first_point(cell + 1); ++p)
+          if (const double weight = weights[p - first]; weight > 0.)
+            quadrature.push_back(points.locator.to_unit(cell,
+                                                        points.position(p)),
+                                 weight * mass[p],
+                                 weight * volume[p],
+                                 ratio[p]);
       }
 
       /// The cell's points with a common weight.
@@ -85,7 +170,7 @@ namespace seiche
           material_points.append(cell, 1. - weight, quadrature);
         if (weight > 0.)
           {
-            const LinearRatio J = ratio_of(cell);
+            const LinearRatio<dim> J = ratio_of(points, cell, ratio);
             for (unsigned int q = 0; q < gauss.size(); ++q)
               {
                 // the cell is the volume at t_n: V0 = V_n/J_n
@@ -102,67 +187,67 @@ namespace seiche
       }
 
     private:
-      /// J_n in a cell: mean + slope.(x - center) within what points have.
-      struct LinearRatio
+      const PointCloud<dim>    &points;
+      const Fill<dim>          &fill;
+      const double              density;
+      const GaussRatio          ratio;
+      const MaterialPoints<dim> material_points;
+      const QGauss<dim>         gauss;
+    };
+
+    /// The inside of the free surface: Gauss points in full cells, as many in
+    /// cut ones; and the loose points.
+    template <int dim>
+    class CutCells : public Quadrature<dim>
+    {
+    public:
+      CutCells(const PointCloud<dim> &points,
+               const Fill<dim>       &fill,
+               const double           density,
+               const GaussRatio       ratio)
+        : points(points)
+        , fill(fill)
+        , density(density)
+        , ratio(ratio)
+        , material_points(points)
+        , gauss(fill.occupancy.fe.degree + 1)
+      {}
+
+      void
+      get(const unsigned int   cell,
+          CellQuadrature<dim> &quadrature) const override
       {
-        Point<dim>     center; // in units of the cell
-        Tensor<1, dim> slope;
-        double         mean = 1., least = 1., largest = 1.;
-
-        double
-        value(const Point<dim> &unit) const
-        {
-          return std::clamp(mean + slope * (unit - center), least, largest);
-        }
-      };
-
-      /// J_n as GaussRatio says. Linear: least squares, weighted by V0 (the
-      /// mean jumps, by the gradient, whenever a point crosses a face).
-      LinearRatio
-      ratio_of(const unsigned int cell) const
-      {
-        if (ratio == GaussRatio::one)
-          return {};
-        const double *volume = points.data(PointColumn::initial_volume);
-        const double *J_p    = points.data(PointColumn::volume_ratio);
-        const auto    begin  = points.first_point(cell),
-                   end       = points.first_point(cell + 1);
-        const auto unit      = [&](const std::size_t p) {
-          return points.locator.to_unit(cell, points.position(p));
-        };
-        LinearRatio    J;
-        Tensor<1, dim> center;
-        double         sum = 0., total = 0.;
-        J.least   = std::numeric_limits<double>::max();
-        J.largest = 0.;
-        for (std::size_t p = begin; p < end; ++p)
+        const double     share   = fill.surface().inside_share(cell);
+        const double     measure = points.locator.measure(cell);
+        const bool       is_full = share == 1. && ratio == GaussRatio::one;
+        constexpr double same = 1e-12; // equal cells differ in the last digits
+        if (is_full &&
+            std::abs(quadrature.full_measure - measure) < same * measure)
+          return;
+        quadrature.clear();
+        if (const double *loose = fill.loose_shares(points, cell))
+          material_points.append(cell, loose, quadrature);
+        if (share > 0.)
           {
-            total += volume[p];
-            sum += volume[p] * J_p[p];
-            center += volume[p] * (unit(p) - Point<dim>());
-            J.least   = std::min(J.least, J_p[p]);
-            J.largest = std::max(J.largest, J_p[p]);
+            const LinearRatio<dim> J = ratio_of(points, cell, ratio);
+            const auto add = [&](const Point<dim> &x, const double part) {
+              // the inside is the volume at t_n: V0 = V_n/J_n
+              const double J_q    = J.value(x);
+              const double volume = part * measure / J_q;
+              quadrature.push_back(x, density * volume, volume, J_q);
+            };
+            if (share == 1.)
+              for (unsigned int q = 0; q < gauss.size(); ++q)
+                add(gauss.point(q), gauss.weight(q));
+            else
+              for (const Point<dim> &x : fill.surface().rule(cell))
+                add(x, share / CutCell<dim>::n_vertices);
           }
-        J.mean   = sum / total;
-        J.center = Point<dim>() + center / total;
-        if (ratio == GaussRatio::mean)
-          return J;
-
-        Tensor<2, dim> moment;
-        Tensor<1, dim> product;
-        for (std::size_t p = begin; p < end; ++p)
-          {
-            const Tensor<1, dim> arm    = unit(p) - J.center;
-            const double         weight = volume[p] / total;
-            moment += weight * outer_product(arm, arm);
-            product += weight * (J_p[p] - J.mean) * arm;
-          }
-        // a uniform cell has 1/12 on the diagonal
-        if (determinant(moment) > 0.1 * std::pow(1. / 12., dim))
-          J.slope = invert(moment) * product;
-        return J;
+        quadrature.pad();
+        quadrature.full_measure = is_full ? measure : 0.;
       }
 
+    private:
       const PointCloud<dim>    &points;
       const Fill<dim>          &fill;
       const double              density;
@@ -206,28 +291,45 @@ namespace seiche
                       rule,
                       "Quadrature of the weak forms. material points: the "
                       "points everywhere; hybrid: Gauss points in full cells, "
-                      "points in the cells near the free surface",
-                      Patterns::Selection("material points|hybrid"));
+                      "points in the cells near the free surface; cut cells: "
+                      "the inside of a free surface that follows from the fill "
+                      "of the points, as sharp as a small part of their "
+                      "spacing, and points in drops and thin sheets",
+                      Patterns::Selection("material points|hybrid|cut cells"));
     prm.leave_subsection();
+  }
+
+  QuadratureRule
+  QuadratureParameters::value() const
+  {
+    static const std::map<std::string, QuadratureRule> rules = {
+      {"material points", QuadratureRule::material_points},
+      {"hybrid", QuadratureRule::hybrid},
+      {"cut cells", QuadratureRule::cut_cells}};
+    return rules.at(rule);
   }
 
   template <int dim>
   std::unique_ptr<Quadrature<dim>>
-  make_quadrature(const QuadratureParameters &parameters,
-                  const PointCloud<dim>      &points,
-                  const Fill<dim>            &fill,
-                  const double                density,
-                  const GaussRatio            ratio)
+  make_quadrature(const PointCloud<dim> &points,
+                  const Fill<dim>       &fill,
+                  const double           density,
+                  const GaussRatio       ratio)
   {
-    if (parameters.gauss_in_full_cells())
-      return std::make_unique<Hybrid<dim>>(points, fill, density, ratio);
-    return std::make_unique<MaterialPoints<dim>>(points);
+    switch (fill.rule)
+      {
+        case QuadratureRule::hybrid:
+          return std::make_unique<Hybrid<dim>>(points, fill, density, ratio);
+        case QuadratureRule::cut_cells:
+          return std::make_unique<CutCells<dim>>(points, fill, density, ratio);
+        default:
+          return std::make_unique<MaterialPoints<dim>>(points);
+      }
   }
 
 #define INSTANTIATE(dim)                                          \
   template struct CellQuadrature<dim>;                            \
   template std::unique_ptr<Quadrature<dim>> make_quadrature<dim>( \
-    const QuadratureParameters &,                                 \
     const PointCloud<dim> &,                                      \
     const Fill<dim> &,                                            \
     const double,                                                 \

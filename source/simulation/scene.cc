@@ -81,6 +81,11 @@ namespace seiche
     fluid.check(input_file);
     seeding.check(input_file);
     formulation.check(input_file);
+    input_file.require(formulation.degree == 1 ||
+                         quadrature.value() != QuadratureRule::cut_cells,
+                       "Quadrature/Rule",
+                       "cut cells need Formulation/Element degree = 1: choose "
+                       "hybrid");
     time.check(input_file);
     transfer.check(input_file, formulation.degree, seeding.per_direction);
     linear_solver.check(input_file, formulation.is_mixed());

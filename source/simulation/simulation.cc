@@ -34,8 +34,11 @@ namespace seiche
                       locator,
                       points,
                       scene.quadrature.gauss_in_full_cells())
-    , occupancy(locator, scene.formulation.degree)
-    , fill(occupancy, scene.quadrature.gauss_in_full_cells())
+    , occupancy(locator,
+                scene.formulation.degree,
+                scene.quadrature.value() == QuadratureRule::cut_cells)
+    , fill(occupancy, scene.quadrature.value())
+    , density_projection(fill, scene.point_control.density_time)
     , point_control(scene.point_control, points, occupancy, fill)
     , body_force(scene.body_force, scene.input)
     , transfer(scene.transfer,
@@ -221,6 +224,8 @@ namespace seiche
                                 largest_way() :
                                 std::numeric_limits<double>::infinity());
     formulation->update_points(points);
+    if (fill.rule == QuadratureRule::cut_cells)
+      density_projection.apply(state.dt, points);
     if (accepts)
       accepted_failures.account(
         step_solver.effort(), n_held, state.time, communicator, report);

@@ -47,8 +47,7 @@ namespace seiche
     , timer(run_timer)
     , has_pressure(formulation.has_pressure())
     , is_incompressible(has_pressure && scene.fluid.is_incompressible())
-    , quadrature(make_quadrature(scene.quadrature,
-                                 points,
+    , quadrature(make_quadrature(points,
                                  fill,
                                  scene.fluid.density,
                                  is_incompressible        ? GaussRatio::one :

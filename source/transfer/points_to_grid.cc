@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/transfer/extrapolation.h>
 #include <seiche/transfer/mass_matrix.h>
 #include <seiche/transfer/point_arrays.h>
 #include <seiche/transfer/transfer.h>
@@ -383,6 +384,8 @@ namespace seiche
     state.velocity_n.update_ghost_values();
     if (state.acceleration_n.size() > 0)
       state.acceleration_n.update_ghost_values();
+    if (fill.rule == QuadratureRule::cut_cells)
+      extrapolate_velocity(occupancy, state);
     improve_velocity(points, state);
     if (with_acceleration)
       {

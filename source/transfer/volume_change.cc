@@ -102,7 +102,7 @@ namespace seiche
             }
           const double change =
             gauss * middle.determinant_of(u, locator.extent(cell)) +
-            (1. - gauss) * volume_then / volume;
+            (volume > 0. ? (1. - gauss) * volume_then / volume : 1. - gauss);
           double sums[n_nodes];
           for (unsigned int a = 0; a < n_nodes; ++a)
             sums[a] = change * shares[a];

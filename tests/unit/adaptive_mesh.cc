@@ -153,7 +153,10 @@ namespace
     PointCloud<dim>          points(locator, {}, communicator);
     seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
     print("points ", points.n_global());
-    MeshAdaptation<dim> adaptation(grid, locator, points, /*gauss=*/true);
+    MeshAdaptation<dim> adaptation(grid,
+                                   locator,
+                                   points,
+                                   /*gauss_in_full_cells=*/true);
     print_levels("cells by level:", locator);
     print("points ", points.n_global());
     const bool changes =
@@ -164,7 +167,7 @@ namespace
 
     Occupancy<dim> occupancy(locator, /*degree=*/1);
     occupancy.update(points);
-    Fill<dim> fill(occupancy, /*gauss=*/true);
+    Fill<dim> fill(occupancy, QuadratureRule::hybrid);
     fill.update(points);
     print("nodes ", occupancy.n_global_nodes());
     typename Occupancy<dim>::Vector values(occupancy.scalar_partitioner());
@@ -257,7 +260,10 @@ namespace
     CellLocator<dim>    locator(grid);
     PointCloud<dim>     points(locator, {}, communicator);
     seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
-    MeshAdaptation<dim> adaptation(grid, locator, points, /*gauss=*/true);
+    MeshAdaptation<dim> adaptation(grid,
+                                   locator,
+                                   points,
+                                   /*gauss_in_full_cells=*/true);
     print_levels("deep fluid, cells by forest level:", locator);
   }
 } // namespace

@@ -125,13 +125,11 @@ namespace
       , points(locator, {}, communicator)
     {
       seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
-      adaptation = std::make_unique<MeshAdaptation<dim>>(grid,
-                                                         locator,
-                                                         points,
-                                                         /*gauss=*/true);
-      occupancy  = std::make_unique<Occupancy<dim>>(locator, /*degree=*/1);
+      adaptation = std::make_unique<MeshAdaptation<dim>>(
+        grid, locator, points, /*gauss_in_full_cells=*/true);
+      occupancy = std::make_unique<Occupancy<dim>>(locator, /*degree=*/1);
       occupancy->update(points);
-      fill = std::make_unique<Fill<dim>>(*occupancy, /*gauss=*/true);
+      fill = std::make_unique<Fill<dim>>(*occupancy, QuadratureRule::hybrid);
       fill->update(points);
     }
 

@@ -119,10 +119,13 @@ namespace
     CellLocator<dim>         locator(grid);
     PointCloud<dim>          points(locator, {}, communicator);
     seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
-    MeshAdaptation<dim> adaptation(grid, locator, points, /*gauss=*/true);
+    MeshAdaptation<dim> adaptation(grid,
+                                   locator,
+                                   points,
+                                   /*gauss_in_full_cells=*/true);
     Occupancy<dim>      occupancy(locator, /*degree=*/2);
     occupancy.update(points);
-    Fill<dim> fill(occupancy, /*gauss=*/true);
+    Fill<dim> fill(occupancy, QuadratureRule::hybrid);
     fill.update(points);
     occupancy.set_linear(fill.linear_cells());
 

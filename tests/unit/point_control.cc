@@ -183,7 +183,7 @@ namespace
     disturb(points);
     seiche::Occupancy<dim> occupancy(locator, /*degree=*/1);
     occupancy.update(points);
-    seiche::Fill<dim> fill(occupancy, /*gauss=*/true);
+    seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::hybrid);
     fill.update(points);
     seiche::PointControl<dim> control(parameters, points, occupancy, fill);
     report(points, fill);

@@ -43,7 +43,7 @@ namespace
     seiche::seed_bodies(
       scene.seeding, scene.bodies, scene.input, /*density=*/100., points);
     seiche::Occupancy<dim> occupancy(locator, /*degree=*/1);
-    seiche::Fill<dim>      fill(occupancy, /*gauss_in_full_cells=*/false);
+    seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::material_points);
     occupancy.update(points);
     fill.update(points);
     double error = 0.;

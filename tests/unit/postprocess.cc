@@ -269,7 +269,7 @@ namespace
     fill_with_points(points);
     Occupancy<dim> occupancy(locator, 1);
     occupancy.update(points);
-    Fill<dim> fill(occupancy, true);
+    Fill<dim> fill(occupancy, QuadratureRule::hybrid);
     fill.update(points);
 
     const double    theta = 0.5;

@@ -59,9 +59,8 @@ struct Workbench : ParsedScene<dim>
              seiche::Transfer<dim>::columns(scene.transfer),
              MPI_COMM_WORLD)
     , occupancy(locator, scene.formulation.degree)
-    , fill(occupancy, scene.quadrature.gauss_in_full_cells())
-    , quadrature(seiche::make_quadrature(scene.quadrature,
-                                         points,
+    , fill(occupancy, scene.quadrature.value())
+    , quadrature(seiche::make_quadrature(points,
                                          fill,
                                          scene.fluid.density,
                                          seiche::GaussRatio::one))

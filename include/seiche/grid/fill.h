@@ -2,8 +2,10 @@
 #ifndef seiche_grid_fill_h
 #define seiche_grid_fill_h
 
-#include <seiche/grid/occupancy.h>
+#include <seiche/grid/point_boxes.h>
+#include <seiche/grid/surface.h>
 
+#include <memory>
 #include <vector>
 
 namespace seiche
@@ -15,6 +17,14 @@ namespace seiche
     unsigned int upper;     ///< local cell on the upper side
     unsigned int direction; ///< of the normal
     bool         thin;      ///< one of the cells is thin
+  };
+
+  /// Rules of the weak forms' quadrature.
+  enum class QuadratureRule
+  {
+    material_points, ///< the points
+    hybrid,          ///< Gauss points in full cells, points near the surface
+    cut_cells        ///< the inside of a level set, and points of fragments
   };
 
   /**
@@ -31,12 +41,28 @@ namespace seiche
   public:
     using Vector = typename Occupancy<dim>::Vector;
 
-    /// @p gauss_in_full_cells false: every weight is zero (points only).
-    Fill(const Occupancy<dim> &occupancy, const bool gauss_in_full_cells);
+    /// Of @p rule depend the classes. @p occupancy must outlive the object.
+    Fill(Occupancy<dim> &occupancy, const QuadratureRule rule);
 
-    /// Collective.
+    /// After Occupancy::update(); cells with an inside but no points are
+    /// occupied then. Collective.
     void
     update(const PointCloud<dim> &points);
+
+    /// With cut cells.
+    const Surface<dim> &
+    surface() const
+    {
+      return *free_surface;
+    }
+
+    /// Shares of the points of an own cell that the surface does not represent,
+    /// or null if there are none. With cut cells.
+    const double *
+    loose_shares(const PointCloud<dim> &points, const unsigned int cell) const
+    {
+      return has_loose[cell] ? &loose[points.first_point(cell)] : nullptr;
+    }
 
     /// Weight of the Gauss points in a cell, [0,1]; points weigh 1 - w. Own
     /// and ghost cells, as the next three.
@@ -111,7 +137,8 @@ namespace seiche
       return overfull;
     }
 
-    const Occupancy<dim> &occupancy;
+    Occupancy<dim>      &occupancy;
+    const QuadratureRule rule;
 
   private:
     enum Flag : unsigned char
@@ -127,6 +154,30 @@ namespace seiche
     bool
     is_detached(const unsigned int cell, const double *at_nodes) const;
 
+    /// Nodal fill, cell fill and the share of the fluid where there is too
+    /// much.
+    void
+    sum_points(const PointCloud<dim> &points);
+
+    /// The level set, the cells that it occupies and the loose points.
+    void
+    find_surface(const PointCloud<dim> &points);
+
+    /// What the weak forms' points weigh in a cell.
+    struct Content
+    {
+      bool   is_cut;
+      double gauss_weight;
+      double loose;       ///< volume of material points over the cell's
+      double volume;      ///< of all over the cell's
+      bool   is_fragment; ///< hardly more than material points
+    };
+    Content
+    content(const unsigned int cell, const PointCloud<dim> &points) const;
+
+    bool
+    touches_unoccupied(const unsigned int cell) const;
+
     void
     classify(const PointCloud<dim> &points);
     void
@@ -134,13 +185,16 @@ namespace seiche
     void
     collect_linear_cells();
 
-    const bool                 gauss_in_full_cells;
-    std::vector<double>        weight, fill, extent_moments;
-    std::vector<unsigned char> flags;
-    std::vector<char>          linear;
-    Vector                     node_fill;
-    std::vector<GhostFace>     faces;
-    double                     overfull = 0.;
+    const PointBoxes<dim>               boxes;
+    const std::unique_ptr<Surface<dim>> free_surface; ///< with cut cells
+    std::vector<double>                 loose;        ///< of the points
+    std::vector<char>                   has_loose;    ///< own cells
+    std::vector<double>                 weight, fill, extent_moments;
+    std::vector<unsigned char>          flags;
+    std::vector<char>                   linear;
+    Vector                              node_fill;
+    std::vector<GhostFace>              faces;
+    double                              overfull = 0.;
   };
 } // namespace seiche
 

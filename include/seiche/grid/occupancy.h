@@ -41,7 +41,11 @@ namespace seiche
 
     static constexpr unsigned int invalid = static_cast<unsigned int>(-1);
 
-    Occupancy(const CellLocator<dim> &locator, const unsigned int degree);
+    /// @p with_neighbors: the nodes of all vertex neighbours of occupied cells
+    /// exist, as points near a face need if they stand for boxes.
+    Occupancy(const CellLocator<dim> &locator,
+              const unsigned int      degree,
+              const bool              with_neighbors = false);
 
     /// Number the full mesh; after each change of the mesh. Collective.
     void
@@ -55,6 +59,11 @@ namespace seiche
     /// Collective.
     void
     update(const PointCloud<dim> &points);
+
+    /// Own active cells without points that are occupied as well, until the
+    /// next update(). Collective.
+    void
+    occupy(const std::vector<unsigned int> &cells);
 
     /// Fields are multilinear in own occupied cells with a true value, until
     /// the next update(); FE_Q(1): nothing changes. Collective.
@@ -391,6 +400,7 @@ namespace seiche
     std::vector<char>
     find_used_nodes() const;
 
+    const bool                      with_neighbors;
     dealii::DoFHandler<dim>         dof_handler;
     HangingNodes<dim>               hanging_nodes;
     LinearCells<dim>                linear_cells;  // FE_Q(2)

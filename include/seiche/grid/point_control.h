@@ -23,11 +23,12 @@ namespace seiche
   /// How the points are kept well distributed (prm subsection "Points").
   struct PointControlParameters
   {
-    unsigned int sweeps    = 0;    // of shifting, each step
-    double       strength  = 0.25; // of a sweep
-    bool         reseeding = false;
-    unsigned int fewest    = 0; // points per cell; 0: half of what is seeded
-    unsigned int most      = 0; // 0: twice what is seeded
+    unsigned int sweeps       = 0;    // of shifting, each step
+    double       strength     = 0.25; // of a sweep
+    bool         reseeding    = false;
+    unsigned int fewest       = 0; // points per cell; 0: half of what is seeded
+    unsigned int most         = 0; // 0: twice what is seeded
+    double       density_time = 0.1; // of DensityProjection [s], 0: off
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -42,13 +42,6 @@ namespace seiche
     void
     mark_surface();
 
-    /// Stop before the walls of the cell: the distance a from one becomes
-    /// a^2/(a + |delta|).
-    void
-    respect_walls(const unsigned int        cell,
-                  const dealii::Point<dim> &unit,
-                  dealii::Tensor<1, dim>   &delta) const;
-
     const Fill<dim>                &fill;
     const Occupancy<dim>           &occupancy;
     const double                    strength;

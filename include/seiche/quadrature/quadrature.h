@@ -85,11 +85,14 @@ namespace seiche
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /// Gauss points in full cells (the hybrid rule)?
+    QuadratureRule
+    value() const;
+
+    /// Gauss points in full cells?
     bool
     gauss_in_full_cells() const
     {
-      return rule == "hybrid";
+      return value() != QuadratureRule::material_points;
     }
   };
 
@@ -119,17 +122,17 @@ namespace seiche
     linear
   };
 
-  /// Makes the rule: "material points" (the founding paper's) and
-  /// "hybrid" (Gauss points in full cells, both in cells near the surface,
-  /// weighted by Fill). @p ratio: what Gauss points have as volume_ratio.
-  /// References must outlive the object.
+  /// Makes fill.rule: material points (the founding paper's), hybrid (Gauss
+  /// points in full cells, both in cells near the surface, weighted by Fill) or
+  /// cut cells (the inside of Fill::surface(), and its loose points). @p ratio:
+  /// what points have as volume_ratio that are no material ones. References
+  /// must outlive the object.
   template <int dim>
   std::unique_ptr<Quadrature<dim>>
-  make_quadrature(const QuadratureParameters &parameters,
-                  const PointCloud<dim>      &points,
-                  const Fill<dim>            &fill,
-                  const double                density,
-                  const GaussRatio            ratio);
+  make_quadrature(const PointCloud<dim> &points,
+                  const Fill<dim>       &fill,
+                  const double           density,
+                  const GaussRatio       ratio);
 } // namespace seiche
 
 #endif

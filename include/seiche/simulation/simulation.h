@@ -2,6 +2,7 @@
 #ifndef seiche_simulation_simulation_h
 #define seiche_simulation_simulation_h
 
+#include <seiche/grid/density_projection.h>
 #include <seiche/grid/mesh_adaptation.h>
 #include <seiche/grid/point_control.h>
 #include <seiche/simulation/accepted_failures.h>
@@ -141,6 +142,7 @@ namespace seiche
     MeshAdaptation<dim>                     mesh_adaptation;
     Occupancy<dim>                          occupancy;
     Fill<dim>                               fill;
+    DensityProjection<dim>                  density_projection;
     PointControl<dim>                       point_control;
     const BodyForce<dim>                    body_force;
     const Transfer<dim>                     transfer;

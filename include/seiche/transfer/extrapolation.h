@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_transfer_extrapolation_h
+#define seiche_transfer_extrapolation_h
+
+#include <seiche/grid/grid_state.h>
+#include <seiche/grid/occupancy.h>
+
+namespace seiche
+{
+  /**
+   * Velocity, and acceleration and pressure, at the nodes of occupied cells
+   * that have no mass from the points, as in cells with an inside but no
+   * points: the mean of what the multilinear fields of the face neighbours
+   * (else of all neighbours) whose vertices have masses become there. Linear
+   * fields stay what they are. Collective.
+   */
+  template <int dim>
+  void
+  extrapolate_velocity(const Occupancy<dim> &occupancy, GridState<dim> &state);
+} // namespace seiche
+
+#endif

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/density_projection.h>
+#include <seiche/grid/shift_point.h>
+#include <seiche/utilities/shape_functions.h>
+
+#include <deal.II/lac/diagonal_matrix.h>
+#include <deal.II/lac/solver_cg.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double longest_shift = 0.1; // of the cell, each direction
+    constexpr double inside_from   = 0.5; // nodal fill of the level set's zero
+
+    // the shift is small and comes again in the next step
+    constexpr double       tolerance      = 1e-2;
+    constexpr unsigned int max_iterations = 200;
+
+    /// grad N_a . grad N_b over a box.
+    template <int dim>
+    struct CellLaplacian
+    {
+      static constexpr unsigned int n = 1u << dim;
+      Tensor<1, dim>                extent;
+      double                        K[n][n];
+
+      void
+      reinit(const Tensor<1, dim> &e)
+      {
+        if (e == extent)
+          return;
+        extent         = e;
+        double measure = 1.;
+        for (unsigned int d = 0; d < dim; ++d)
+          measure *= e[d];
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int b = 0; b < n; ++b)
+            {
+              K[a][b] = 0.;
+              for (unsigned int d = 0; d < dim; ++d)
+                {
+                  double product = measure / (e[d] * e[d]);
+                  for (unsigned int c = 0; c < dim; ++c)
+                    {
+                      const bool same = ((a ^ b) >> c & 1u) == 0;
+                      product *=
+                        c == d ? (same ? 1. : -1.) : (same ? 1. / 3. : 1. / 6.);
+                    }
+                  K[a][b] += product;
+                }
+            }
+      }
+    };
+  } // namespace
+
+  template <int dim>
+  DensityProjection<dim>::DensityProjection(const Fill<dim> &grid_fill,
+                                            const double     T_d)
+    : fill(grid_fill)
+    , occupancy(grid_fill.occupancy)
+    , time_constant(T_d)
+  {}
+
+  template <int dim>
+  void
+  DensityProjection<dim>::apply(const double dt, PointCloud<dim> &points)
+  {
+    if (time_constant == 0.)
+      return;
+    choose_nodes();
+    find_potential(std::min(1., dt / time_constant));
+    move(points);
+  }
+
+  template <int dim>
+  void
+  DensityProjection<dim>::choose_nodes()
+  {
+    constexpr unsigned int n_vertices = CellLaplacian<dim>::n;
+    const Vector          &f          = fill.nodal_fill();
+    inverse_diagonal.reinit(occupancy.scalar_partitioner());
+    Vector             is_at_surface(inverse_diagonal);
+    CellLaplacian<dim> laplacian;
+    double             at_nodes[HangingNodes<dim>::max_nodes];
+    for (unsigned int cell = 0; cell < occupancy.locator.n_owned(); ++cell)
+      {
+        if (!occupancy.is_active(cell))
+          continue;
+        laplacian.reinit(occupancy.locator.extent(cell));
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          at_nodes[a] = f.local_element(nodes[a]);
+        occupancy.expand(cell, at_nodes);
+        bool is_inside = true;
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          is_inside =
+            is_inside && at_nodes[occupancy.vertex_node(v)] >= inside_from;
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          {
+            const unsigned int node = nodes[occupancy.vertex_node(v)];
+            if (!is_inside)
+              is_at_surface.local_element(node) = 1.;
+            if (occupancy.is_occupied(cell))
+              inverse_diagonal.local_element(node) += laplacian.K[v][v];
+          }
+      }
+    is_at_surface.compress(VectorOperation::add);
+    inverse_diagonal.compress(VectorOperation::add);
+    is_free.reinit(inverse_diagonal);
+    bool all_free = true;
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      {
+        const double diagonal = inverse_diagonal.local_element(i);
+        const bool   free =
+          diagonal > 0. && occupancy.node_volume(i) > 0. &&
+          (is_at_surface.local_element(i) == 0. || f.local_element(i) > 1.);
+        all_free                 = all_free && (free || diagonal == 0.);
+        is_free.local_element(i) = free;
+        inverse_diagonal.local_element(i) = free ? 1. / diagonal : 1.;
+      }
+    any_fixed = Utilities::MPI::max(
+                  all_free ? 0 : 1,
+                  occupancy.locator.grid.triangulation.get_communicator()) > 0;
+  }
+
+  template <int dim>
+  void
+  DensityProjection<dim>::vmult(Vector &dst, const Vector &src) const
+  {
+    src.update_ghost_values();
+    dst = 0.;
+    dst.zero_out_ghost_values();
+    CellLaplacian<dim> laplacian;
+    double x[HangingNodes<dim>::max_nodes], y[HangingNodes<dim>::max_nodes];
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        laplacian.reinit(occupancy.locator.extent(cell));
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          {
+            x[a] = src.local_element(nodes[a]);
+            y[a] = 0.;
+          }
+        occupancy.expand(cell, x);
+        for (unsigned int a = 0; a < laplacian.n; ++a)
+          for (unsigned int b = 0; b < laplacian.n; ++b)
+            y[occupancy.vertex_node(a)] +=
+              laplacian.K[a][b] * x[occupancy.vertex_node(b)];
+        occupancy.condense(cell, y);
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          dst.local_element(nodes[a]) += y[a];
+      }
+    dst.compress(VectorOperation::add);
+    src.zero_out_ghost_values();
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      if (is_free.local_element(i) == 0.)
+        dst.local_element(i) = src.local_element(i);
+  }
+
+  template <int dim>
+  void
+  DensityProjection<dim>::find_potential(const double share)
+  {
+    potential.reinit(is_free);
+    Vector sums(is_free);
+    double total = 0., volume = 0.;
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      if (is_free.local_element(i) > 0.)
+        {
+          const double V = occupancy.node_volume(i);
+          sums.local_element(i) =
+            share * (1. - fill.nodal_fill().local_element(i)) * V;
+          total += sums.local_element(i);
+          volume += V;
+        }
+    if (!any_fixed)
+      {
+        const double mean =
+          Utilities::MPI::sum(
+            total, occupancy.locator.grid.triangulation.get_communicator()) /
+          Utilities::MPI::sum(
+            volume, occupancy.locator.grid.triangulation.get_communicator());
+        for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+          if (is_free.local_element(i) > 0.)
+            sums.local_element(i) -= mean * occupancy.node_volume(i);
+      }
+    SolverControl          control(max_iterations, tolerance * sums.l2_norm());
+    SolverCG<Vector>       solver(control);
+    DiagonalMatrix<Vector> preconditioner;
+    preconditioner.get_vector() = inverse_diagonal;
+    try
+      {
+        solver.solve(*this, potential, sums, preconditioner);
+      }
+    catch (const SolverControl::NoConvergence &)
+      {} // what is left comes again
+    potential.update_ghost_values();
+  }
+
+  template <int dim>
+  void
+  DensityProjection<dim>::move(PointCloud<dim> &points) const
+  {
+    using Shape         = TensorShape<dim, 1>;
+    const auto &locator = occupancy.locator;
+    double      N[Shape::n_nodes], dN[Shape::n_nodes][dim];
+    double      psi[HangingNodes<dim>::max_nodes];
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          psi[a] = potential.local_element(nodes[a]);
+        occupancy.expand(cell, psi);
+        for (std::size_t p = points.first_point(cell);
+             p < points.first_point(cell + 1);
+             ++p)
+          {
+            Point<dim> unit = locator.to_unit(cell, points.position(p));
+            for (unsigned int d = 0; d < dim; ++d)
+              unit[d] = std::clamp(unit[d], 0., 1.); // it has moved
+            Shape::evaluate(unit, N, dN);
+            Tensor<1, dim> delta; // [cells]
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                const double h = locator.extent(cell)[d];
+                for (unsigned int v = 0; v < Shape::n_nodes; ++v)
+                  delta[d] += dN[v][d] * psi[occupancy.vertex_node(v)];
+                delta[d] =
+                  std::clamp(delta[d] / (h * h), -longest_shift, longest_shift);
+              }
+            shift_point(cell, p, delta, points);
+          }
+      }
+  }
+
+  template class DensityProjection<2>;
+  template class DensityProjection<3>;
+} // namespace seiche

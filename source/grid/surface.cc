@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/surface.h>
+#include <seiche/utilities/shape_functions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr unsigned int n_corrections      = 2;
+    constexpr double       longest_correction = 0.25; // [cells]
+    constexpr double       least_slope = 0.35;  // of the fill over the distance
+    constexpr double       on_surface  = 1e-12; // in place of zero: outside
+    constexpr double       negligible  = 1e-9;  // share of a cell
+    constexpr double empty_or_full     = 1e-6;  // fill that needs no correction
+
+    // what of a point the inside does not represent: from all to nothing
+    constexpr double loose_begins = 0.3, loose_range = 0.5;
+    constexpr double loose_below = 0.5;  // share of the cell that is inside
+    constexpr double least_loose = 1e-4; // no cell is without quadrature
+
+    /// Distance [cells] of a node with this fill from a flat surface, positive
+    /// inside: exact along the grid, for the integral of a hat.
+    double
+    distance(const double fill)
+    {
+      const double f = std::clamp(fill, 0., 1.);
+      return f >= 0.5 ? 1. - std::sqrt(2. * (1. - f)) : -1. + std::sqrt(2. * f);
+    }
+
+    double
+    level_at(const double value)
+    {
+      return value == 0. ? on_surface : value;
+    }
+  } // namespace
+
+  template <int dim>
+  Surface<dim>::Surface(const Occupancy<dim> &grid_occupancy)
+    : occupancy(grid_occupancy)
+  {}
+
+  template <int dim>
+  void
+  Surface<dim>::update(const Vector &nodal_fill)
+  {
+    level.reinit(occupancy.scalar_partitioner());
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      level.local_element(i) = level_at(-distance(nodal_fill.local_element(i)));
+    level.update_ghost_values();
+    cut_cells();
+    integrate();
+    for (unsigned int i = 0; i < n_corrections; ++i)
+      {
+        correct(nodal_fill);
+        cut_cells();
+        integrate();
+      }
+    represented.reinit(level);
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      if (const double fill = nodal_fill.local_element(i); fill > 0.)
+        represented.local_element(i) =
+          std::min(1., inside_fill.local_element(i) / fill);
+    represented.update_ghost_values();
+    inside_fill.update_ghost_values();
+  }
+
+  template <int dim>
+  double
+  Surface<dim>::loose_share(const unsigned int cell,
+                            const Point<dim>  &unit) const
+  {
+    using Shape        = TensorShape<dim, 1>;
+    const double share = shares[cell];
+    if (share >= loose_below)
+      return 0.;
+    double at_nodes[HangingNodes<dim>::max_nodes], N[Shape::n_nodes];
+    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+      at_nodes[a] = represented.local_element(nodes[a]);
+    occupancy.expand(cell, at_nodes);
+    Shape::values(unit, N);
+    double missing = 1.;
+    for (unsigned int v = 0; v < Shape::n_nodes; ++v)
+      missing -= N[v] * at_nodes[occupancy.vertex_node(v)];
+    const double result =
+      std::clamp((missing - loose_begins) / loose_range, 0., 1.) *
+      (1. - share / loose_below);
+    return share == 0. ? std::max(result, least_loose) : result;
+  }
+
+  template <int dim>
+  typename CutCell<dim>::Values
+  Surface<dim>::level_in(const unsigned int cell) const
+  {
+    double              at_nodes[HangingNodes<dim>::max_nodes];
+    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+      at_nodes[a] = level.local_element(nodes[a]);
+    occupancy.expand(cell, at_nodes);
+    typename CutCell<dim>::Values result;
+    for (unsigned int v = 0; v < result.size(); ++v)
+      result[v] = at_nodes[occupancy.vertex_node(v)];
+    return result;
+  }
+
+  template <int dim>
+  void
+  Surface<dim>::cut_cells()
+  {
+    const auto &locator = occupancy.locator;
+    shares.assign(locator.n_cells(), 0.);
+    rule_of_cell.assign(locator.n_owned(), numbers::invalid_unsigned_int);
+    rules.clear();
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      if (occupancy.is_active(cell))
+        {
+          const CutCell<dim> part(level_in(cell));
+          if (part.volume() > 1. - negligible)
+            shares[cell] = 1.;
+          else if (part.volume() > negligible)
+            {
+              shares[cell]       = part.volume();
+              rule_of_cell[cell] = rules.size();
+              rules.push_back(part.points());
+            }
+        }
+    locator.exchange_to_ghosts(shares);
+  }
+
+  template <int dim>
+  void
+  Surface<dim>::integrate()
+  {
+    using Shape         = TensorShape<dim, 1>;
+    const auto &locator = occupancy.locator;
+    inside_fill.reinit(occupancy.scalar_partitioner());
+    double N[Shape::n_nodes], nodal[HangingNodes<dim>::max_nodes];
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      {
+        if (shares[cell] == 0.)
+          continue;
+        std::fill(std::begin(nodal), std::end(nodal), 0.);
+        const double weight =
+          shares[cell] * locator.measure(cell) / Shape::n_nodes;
+        for (unsigned int q = 0; q < Shape::n_nodes; ++q)
+          if (shares[cell] == 1.)
+            nodal[occupancy.vertex_node(q)] = weight;
+          else
+            {
+              Shape::values(rule(cell)[q], N);
+              for (unsigned int v = 0; v < Shape::n_nodes; ++v)
+                nodal[occupancy.vertex_node(v)] += N[v] * weight;
+            }
+        occupancy.condense(cell, nodal);
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          inside_fill.local_element(nodes[a]) += nodal[a];
+      }
+    inside_fill.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      if (const double volume = occupancy.node_volume(i); volume > 0.)
+        inside_fill.local_element(i) /= volume;
+  }
+
+  template <int dim>
+  void
+  Surface<dim>::correct(const Vector &nodal_fill)
+  {
+    Vector of_cut_cell(occupancy.scalar_partitioner());
+    for (unsigned int cell = 0; cell < occupancy.locator.n_owned(); ++cell)
+      if (shares[cell] > 0. && shares[cell] < 1.)
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          of_cut_cell.local_element(occupancy.cell_nodes(cell)[a]) = 1.;
+    of_cut_cell.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      {
+        const double f = inside_fill.local_element(i);
+        if (of_cut_cell.local_element(i) == 0. || f < empty_or_full ||
+            f > 1. - empty_or_full)
+          continue;
+        double      &d      = level.local_element(i);
+        const double change = (f - std::min(1., nodal_fill.local_element(i))) /
+                              std::max(1. - std::abs(d), least_slope);
+        d = level_at(std::clamp(
+          d + std::clamp(change, -longest_correction, longest_correction),
+          -1.,
+          1.));
+      }
+    level.update_ghost_values();
+  }
+
+  template class Surface<2>;
+  template class Surface<3>;
+} // namespace seiche

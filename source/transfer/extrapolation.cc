@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/transfer/extrapolation.h>
+#include <seiche/utilities/shape_functions.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    class Extrapolation
+    {
+    public:
+      using Vector = typename GridState<dim>::Vector;
+      using Shape  = TensorShape<dim, 1>;
+
+      Extrapolation(const Occupancy<dim> &grid_occupancy, GridState<dim> &state)
+        : occupancy(grid_occupancy)
+        , mass(state.mass)
+        , count(mass)
+      {
+        count = 0.;
+        add_field(state.pressure_guess, 1);
+        add_field(state.velocity_n, dim);
+        if (state.acceleration_n.size() > 0)
+          add_field(state.acceleration_n, dim);
+      }
+
+      void
+      run()
+      {
+        const auto &locator = occupancy.locator;
+        for (const unsigned int cell : occupancy.occupied_cells())
+          {
+            if (has_masses(cell))
+              continue;
+            bool found = false;
+            for (const unsigned int face : GeometryInfo<dim>::face_indices())
+              found = add_from(locator.neighbor(cell, face), cell) || found;
+            if (!found)
+              for (const unsigned int other : locator.vertex_neighbors(cell))
+                add_from(other, cell);
+          }
+        count.compress(VectorOperation::add);
+        for (Field &field : fields)
+          divide(field);
+      }
+
+    private:
+      struct Field
+      {
+        Vector      &values;
+        Vector       sums;
+        unsigned int n_components;
+      };
+
+      void
+      add_field(Vector &values, const unsigned int n_components)
+      {
+        fields.push_back({values, Vector(values), n_components});
+        fields.back().sums = 0.;
+        fields.back().sums.zero_out_ghost_values();
+      }
+
+      unsigned int
+      vertex(const unsigned int cell, const unsigned int v) const
+      {
+        return occupancy.cell_nodes(cell)[occupancy.vertex_node(v)];
+      }
+
+      bool
+      has_masses(const unsigned int cell) const
+      {
+        for (unsigned int v = 0; v < Shape::n_nodes; ++v)
+          if (mass.local_element(vertex(cell, v)) <= 0.)
+            return false;
+        return true;
+      }
+
+      /// False if @p donor has no field to continue.
+      bool
+      add_from(const unsigned int donor, const unsigned int cell)
+      {
+        if (donor == CellLocator<dim>::invalid ||
+            !occupancy.is_occupied(donor) || !has_masses(donor))
+          return false;
+        double N[Shape::n_nodes];
+        for (unsigned int v = 0; v < Shape::n_nodes; ++v)
+          {
+            const unsigned int node = vertex(cell, v);
+            if (mass.local_element(node) > 0.)
+              continue;
+            count.local_element(node) += 1.;
+            Shape::values(
+              occupancy.locator.to_unit(donor, occupancy.node_position(node)),
+              N);
+            for (Field &field : fields)
+              for (unsigned int c = 0; c < field.n_components; ++c)
+                for (unsigned int w = 0; w < Shape::n_nodes; ++w)
+                  field.sums.local_element(field.n_components * node + c) +=
+                    N[w] * field.values.local_element(
+                             field.n_components * vertex(donor, w) + c);
+          }
+        return true;
+      }
+
+      /// Means in place of the values that do not exist.
+      void
+      divide(Field &field)
+      {
+        field.sums.compress(VectorOperation::add);
+        for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+          if (const double n = count.local_element(node); n > 0.)
+            for (unsigned int c = 0; c < field.n_components; ++c)
+              {
+                const unsigned int i          = field.n_components * node + c;
+                field.values.local_element(i) = field.sums.local_element(i) / n;
+              }
+        field.values.update_ghost_values();
+      }
+
+      const Occupancy<dim> &occupancy;
+      const Vector         &mass;
+      Vector                count;
+      std::vector<Field>    fields;
+    };
+  } // namespace
+
+  template <int dim>
+  void
+  extrapolate_velocity(const Occupancy<dim> &occupancy, GridState<dim> &state)
+  {
+    Extrapolation<dim>(occupancy, state).run();
+  }
+
+  template void
+  extrapolate_velocity(const Occupancy<2> &, GridState<2> &);
+  template void
+  extrapolate_velocity(const Occupancy<3> &, GridState<3> &);
+} // namespace seiche
