@@ -87,20 +87,21 @@ namespace seiche
                       "A step that moves a point farther is repeated with "
                       "half its size [cells]",
                       Patterns::Double(1e-3, 1.));
-    prm.add_parameter("Failing steps",
-                      failing_steps,
-                      "What becomes of a step whose Newton iteration does not "
-                      "converge, or that crushes a point or moves it farther "
-                      "than Maximum displacement. repeated: with half its "
-                      "size. accepted: as in the code of the founding paper it "
-                      "is taken, with the iterate of the least residual; a "
-                      "point goes only the part of its way on which it keeps "
-                      "a fifth of its volume, moves no farther than Maximum "
-                      "displacement and passes no wall, and its volume ratio is "
-                      "kept within 0.25 of one then; summary.json counts such "
-                      "steps and points. A "
-                      "residual that is not finite repeats the step even so",
-                      Patterns::Selection("repeated|accepted"));
+    prm.add_parameter(
+      "Failing steps",
+      failing_steps,
+      "What becomes of a step whose Newton iteration does not "
+      "converge, or that crushes a point or moves it farther "
+      "than Maximum displacement. repeated: with half its "
+      "size. accepted: as in the code of the founding paper it "
+      "is taken, with the iterate of the least residual; a "
+      "point goes only the part of its way on which it keeps "
+      "a fifth of its volume, moves no farther than Maximum "
+      "displacement and passes no wall, and its volume ratio is "
+      "kept within 0.25 of one then; summary.json counts such "
+      "steps and points. A "
+      "residual that is not finite repeats the step even so",
+      Patterns::Selection("repeated|accepted"));
     prm.add_parameter("Velocity projection",
                       projection,
                       "When the start velocity is made to satisfy the "
