@@ -103,17 +103,8 @@ namespace seiche
              const double        *weights,
              CellQuadrature<dim> &quadrature) const
       {
-        const double *mass   = points.data(PointColumn::mass);
-        const double *volume = points.data(PointColumn::initial_volume);
-        const double *ratio  = points.data(PointColumn::volume_ratio);
-        const auto    first  = points.first_point(cell);
-        for (std::size_t p = first; p < points.first_point(cell + 1); ++p)
-          if (const double weight = weights[p - first]; weight > 0.)
-            quadrature.push_back(points.locator.to_unit(cell,
-                                                        points.position(p)),
-                                 weight * mass[p],
-                                 weight * volume[p],
-                                 ratio[p]);
+        append_each(
+          cell, [&](const std::size_t i) { return weights[i]; }, quadrature);
       }
 
       /// The cell's points with a common weight.
@@ -122,19 +113,30 @@ namespace seiche
              const double         weight,
              CellQuadrature<dim> &quadrature) const
       {
-        const double *mass   = points.data(PointColumn::mass);
-        const double *volume = points.data(PointColumn::initial_volume);
-        const double *ratio  = points.data(PointColumn::volume_ratio);
-        for (std::size_t p = points.first_point(cell);
-             p < points.first_point(cell + 1);
-             ++p)
-          quadrature.push_back(points.locator.to_unit(cell, points.position(p)),
-                               weight * mass[p],
-                               weight * volume[p],
-                               ratio[p]);
+        append_each(
+          cell, [&](const std::size_t) { return weight; }, quadrature);
       }
 
     private:
+      template <typename Weight>
+      void
+      append_each(const unsigned int   cell,
+                  const Weight        &weight_of,
+                  CellQuadrature<dim> &quadrature) const
+      {
+        const double *mass   = points.data(PointColumn::mass);
+        const double *volume = points.data(PointColumn::initial_volume);
+        const double *ratio  = points.data(PointColumn::volume_ratio);
+        const auto    first  = points.first_point(cell);
+        for (std::size_t p = first; p < points.first_point(cell + 1); ++p)
+          if (const double weight = weight_of(p - first); weight > 0.)
+            quadrature.push_back(points.locator.to_unit(cell,
+                                                        points.position(p)),
+                                 weight * mass[p],
+                                 weight * volume[p],
+                                 ratio[p]);
+      }
+
       const PointCloud<dim> &points;
     };
 
@@ -167,93 +169,77 @@ namespace seiche
           return;
         quadrature.clear();
         if (weight < 1.)
-          material_points.append(cell, 1. - weight, quadrature);
+          add_at_surface(cell, 1. - weight, quadrature);
         if (weight > 0.)
           {
             const LinearRatio<dim> J = ratio_of(points, cell, ratio);
             for (unsigned int q = 0; q < gauss.size(); ++q)
-              {
-                // the cell is the volume at t_n: V0 = V_n/J_n
-                const double J_q    = J.value(gauss.point(q));
-                const double volume = weight * measure * gauss.weight(q) / J_q;
-                quadrature.push_back(gauss.point(q),
-                                     density * volume,
-                                     volume,
-                                     J_q);
-              }
+              add(gauss.point(q),
+                  weight * measure * gauss.weight(q),
+                  J,
+                  quadrature);
           }
         quadrature.pad();
         quadrature.full_measure = is_full ? measure : 0.;
       }
 
-    private:
+    protected:
+      /// What a cell has beside Gauss points, with the weight @p rest.
+      virtual void
+      add_at_surface(const unsigned int   cell,
+                     const double         rest,
+                     CellQuadrature<dim> &quadrature) const
+      {
+        material_points.append(cell, rest, quadrature);
+      }
+
+      /// A point that is no material one, of a volume at t_n: V0 = V_n/J_n.
+      void
+      add(const Point<dim>       &x,
+          const double            volume_n,
+          const LinearRatio<dim> &J,
+          CellQuadrature<dim>    &quadrature) const
+      {
+        const double J_q    = J.value(x);
+        const double volume = volume_n / J_q;
+        quadrature.push_back(x, density * volume, volume, J_q);
+      }
+
       const PointCloud<dim>    &points;
       const Fill<dim>          &fill;
       const double              density;
       const GaussRatio          ratio;
       const MaterialPoints<dim> material_points;
-      const QGauss<dim>         gauss;
+
+    private:
+      const QGauss<dim> gauss;
     };
 
     /// The inside of the free surface: Gauss points in full cells, as many in
     /// cut ones; and the loose points.
     template <int dim>
-    class CutCells : public Quadrature<dim>
+    class CutCells : public Hybrid<dim>
     {
     public:
-      CutCells(const PointCloud<dim> &points,
-               const Fill<dim>       &fill,
-               const double           density,
-               const GaussRatio       ratio)
-        : points(points)
-        , fill(fill)
-        , density(density)
-        , ratio(ratio)
-        , material_points(points)
-        , gauss(fill.occupancy.fe.degree + 1)
-      {}
+      using Hybrid<dim>::Hybrid;
 
+    protected:
       void
-      get(const unsigned int   cell,
-          CellQuadrature<dim> &quadrature) const override
+      add_at_surface(const unsigned int cell,
+                     const double,
+                     CellQuadrature<dim> &quadrature) const override
       {
-        const double     share   = fill.surface().inside_share(cell);
-        const double     measure = points.locator.measure(cell);
-        const bool       is_full = share == 1. && ratio == GaussRatio::one;
-        constexpr double same = 1e-12; // equal cells differ in the last digits
-        if (is_full &&
-            std::abs(quadrature.full_measure - measure) < same * measure)
+        if (const double *loose = this->fill.loose_shares(this->points, cell))
+          this->material_points.append(cell, loose, quadrature);
+        const double share = this->fill.surface().inside_share(cell);
+        if (share == 0.)
           return;
-        quadrature.clear();
-        if (const double *loose = fill.loose_shares(points, cell))
-          material_points.append(cell, loose, quadrature);
-        if (share > 0.)
-          {
-            const LinearRatio<dim> J = ratio_of(points, cell, ratio);
-            const auto add = [&](const Point<dim> &x, const double part) {
-              // the inside is the volume at t_n: V0 = V_n/J_n
-              const double J_q    = J.value(x);
-              const double volume = part * measure / J_q;
-              quadrature.push_back(x, density * volume, volume, J_q);
-            };
-            if (share == 1.)
-              for (unsigned int q = 0; q < gauss.size(); ++q)
-                add(gauss.point(q), gauss.weight(q));
-            else
-              for (const Point<dim> &x : fill.surface().rule(cell))
-                add(x, share / CutCell<dim>::n_vertices);
-          }
-        quadrature.pad();
-        quadrature.full_measure = is_full ? measure : 0.;
+        const LinearRatio<dim> J = ratio_of(this->points, cell, this->ratio);
+        const double           volume =
+          share * this->points.locator.measure(cell) / CutCell<dim>::n_vertices;
+        for (const Point<dim> &x : this->fill.surface().rule(cell))
+          this->add(x, volume, J, quadrature);
       }
-
-    private:
-      const PointCloud<dim>    &points;
-      const Fill<dim>          &fill;
-      const double              density;
-      const GaussRatio          ratio;
-      const MaterialPoints<dim> material_points;
-      const QGauss<dim>         gauss;
     };
   } // namespace
 
