@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/density_projection.h>
-#include <seiche/grid/shift_point.h>
+#include <seiche/grid/point_shift.h>
 #include <seiche/utilities/shape_functions.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
@@ -216,7 +216,12 @@ namespace seiche
         const unsigned int *nodes = occupancy.cell_nodes(cell);
         for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
           psi[a] = potential.local_element(nodes[a]);
+        if (std::all_of(psi, psi + occupancy.nodes_per_cell(), [](double x) {
+              return x == 0.;
+            }))
+          continue;
         occupancy.expand(cell, psi);
+        const PointShift<dim> shift(cell, points);
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
              ++p)
@@ -226,15 +231,16 @@ namespace seiche
               unit[d] = std::clamp(unit[d], 0., 1.); // it has moved
             Shape::evaluate(unit, N, dN);
             Tensor<1, dim> delta; // [cells]
+            for (unsigned int v = 0; v < Shape::n_nodes; ++v)
+              for (unsigned int d = 0; d < dim; ++d)
+                delta[d] += dN[v][d] * psi[occupancy.vertex_node(v)];
             for (unsigned int d = 0; d < dim; ++d)
               {
                 const double h = locator.extent(cell)[d];
-                for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-                  delta[d] += dN[v][d] * psi[occupancy.vertex_node(v)];
                 delta[d] =
                   std::clamp(delta[d] / (h * h), -longest_shift, longest_shift);
               }
-            shift_point(cell, p, delta, points);
+            shift.apply(p, delta);
           }
       }
   }

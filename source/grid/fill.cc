@@ -28,9 +28,11 @@ namespace seiche
 
   template <int dim>
   Fill<dim>::Fill(Occupancy<dim>      &grid_occupancy,
-                  const QuadratureRule quadrature_rule)
+                  const QuadratureRule quadrature_rule,
+                  const FilledVolume   filled_volume)
     : occupancy(grid_occupancy)
     , rule(quadrature_rule)
+    , filled(filled_volume)
     , boxes(occupancy)
     , free_surface(rule == QuadratureRule::cut_cells ?
                      std::make_unique<Surface<dim>>(occupancy) :
@@ -41,12 +43,27 @@ namespace seiche
   void
   Fill<dim>::update(const PointCloud<dim> &points)
   {
+    find_volumes(points);
     sum_points(points);
     if (rule == QuadratureRule::cut_cells)
       find_surface(points);
     classify(points);
-    collect_linear_cells();
+    collect_linear_cells(points);
     collect_ghost_faces();
+  }
+
+  template <int dim>
+  void
+  Fill<dim>::find_volumes(const PointCloud<dim> &points)
+  {
+    volume = points.data(PointColumn::initial_volume);
+    if (filled == FilledVolume::initial)
+      return;
+    const double *ratio = points.data(PointColumn::volume_ratio);
+    current_volumes.resize(points.size());
+    for (std::size_t p = 0; p < points.size(); ++p)
+      current_volumes[p] = ratio[p] * volume[p];
+    volume = current_volumes.data();
   }
 
   template <int dim>
@@ -57,8 +74,7 @@ namespace seiche
     using Shape                       = TensorShape<dim, 1>;
     constexpr unsigned int n_vertices = Shape::n_nodes;
     const auto            &locator    = occupancy.locator;
-    const double          *volume = points.data(PointColumn::initial_volume);
-    double                 total  = 0.;
+    double                 total      = 0.;
     fill.assign(locator.n_cells(), 0.);
     node_fill.reinit(occupancy.scalar_partitioner());
     const bool has_boxes = rule == QuadratureRule::cut_cells;
@@ -71,21 +87,20 @@ namespace seiche
              p < points.first_point(cell + 1);
              ++p)
           {
-            const Point<dim> unit = locator.to_unit(cell, points.position(p));
             sum += volume[p];
             if (has_boxes)
-              boxes.add(cell, unit, volume[p], node_fill);
-            else
-              {
-                Shape::values(unit, N);
-                for (unsigned int v = 0; v < n_vertices; ++v)
-                  nodal[occupancy.vertex_node(v)] += N[v] * volume[p];
-              }
+              continue;
+            Shape::values(locator.to_unit(cell, points.position(p)), N);
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              nodal[occupancy.vertex_node(v)] += N[v] * volume[p];
           }
         fill[cell] = rounded(sum / locator.measure(cell));
         total += sum;
         if (has_boxes)
-          continue;
+          {
+            boxes.add(points, volume, cell, node_fill);
+            continue;
+          }
         const unsigned int *nodes = occupancy.cell_nodes(cell);
         occupancy.condense(cell, nodal);
         for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
@@ -177,10 +192,7 @@ namespace seiche
         double        loose = 0.;
         if (part != nullptr)
           for (unsigned int p = 0; p < points.n_points_in(cell); ++p)
-            loose +=
-              part[p] *
-              points.data(
-                PointColumn::initial_volume)[points.first_point(cell) + p];
+            loose += part[p] * volume[points.first_point(cell) + p];
         loose /= occupancy.locator.measure(cell);
         return {share < 1.,
                 share < 1. ? 0. : 1.,
@@ -246,12 +258,12 @@ namespace seiche
 
   template <int dim>
   void
-  Fill<dim>::collect_linear_cells()
+  Fill<dim>::collect_linear_cells(const PointCloud<dim> &points)
   {
     linear.assign(occupancy.locator.n_owned(), 0);
     for (const unsigned int cell : occupancy.occupied_cells())
-      linear[cell] =
-        is_cut(cell) || (rule == QuadratureRule::hybrid && weight[cell] < 1.);
+      linear[cell] = is_cut(cell) || points.n_points_in(cell) == 0 ||
+                     (rule == QuadratureRule::hybrid && weight[cell] < 1.);
   }
 
   template <int dim>

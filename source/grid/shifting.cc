@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/shift_point.h>
+#include <seiche/grid/point_shift.h>
 #include <seiche/grid/shifting.h>
 #include <seiche/utilities/shape_functions.h>
 
@@ -80,6 +80,7 @@ namespace seiche
                   (side == 0 ? -1. : 1.) * (cell_fill[other] - cell_fill[cell]);
             }
 
+        const PointShift<dim> shift(cell, points);
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
              ++p)
@@ -101,7 +102,7 @@ namespace seiche
             for (unsigned int d = 0; d < dim; ++d)
               delta[d] =
                 std::clamp(weight * delta[d], -longest_shift, longest_shift);
-            shift_point(cell, p, delta, points);
+            shift.apply(p, delta);
           }
       }
   }

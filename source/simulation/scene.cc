@@ -81,11 +81,6 @@ namespace seiche
     fluid.check(input_file);
     seeding.check(input_file);
     formulation.check(input_file);
-    input_file.require(formulation.degree == 1 ||
-                         quadrature.value() != QuadratureRule::cut_cells,
-                       "Quadrature/Rule",
-                       "cut cells need Formulation/Element degree = 1: choose "
-                       "hybrid");
     time.check(input_file);
     transfer.check(input_file, formulation.degree, seeding.per_direction);
     linear_solver.check(input_file, formulation.is_mixed());
@@ -145,6 +140,16 @@ namespace seiche
     return volume_update == "nodal mean" ||
            (volume_update == "automatic" &&
             (fluid.is_incompressible() || formulation.degree == 2));
+  }
+
+  template <int dim>
+  FilledVolume
+  Scene<dim>::filled_volume() const
+  {
+    return fluid.is_incompressible() ||
+               quadrature.value() != QuadratureRule::cut_cells ?
+             FilledVolume::initial :
+             FilledVolume::current;
   }
 
   template <int dim>

@@ -37,7 +37,7 @@ namespace seiche
     , occupancy(locator,
                 scene.formulation.degree,
                 scene.quadrature.value() == QuadratureRule::cut_cells)
-    , fill(occupancy, scene.quadrature.value())
+    , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
     , density_projection(fill, scene.point_control.density_time)
     , point_control(scene.point_control, points, occupancy, fill)
     , body_force(scene.body_force, scene.input)

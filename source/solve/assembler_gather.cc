@@ -15,8 +15,8 @@ namespace seiche
     CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
     const auto            &locator = occupancy.locator;
     data.coefficients              = step;
-    if (fill.is_thin(cell) || fill.is_sliver(cell))
-      data.coefficients.jerk_constraint = 0.; // noise in spray, hard on Newton
+    if (fill.is_rough(cell))
+      data.coefficients.jerk_constraint = 0.;
     data.extent         = locator.extent(cell);
     data.size           = dim == 2 ? std::sqrt(locator.measure(cell)) :
                                      std::cbrt(locator.measure(cell));

@@ -15,12 +15,20 @@ namespace seiche
       using Vector = typename GridState<dim>::Vector;
       using Shape  = TensorShape<dim, 1>;
 
-      Extrapolation(const Occupancy<dim> &grid_occupancy, GridState<dim> &state)
+      Extrapolation(const PointCloud<dim> &points,
+                    const Occupancy<dim>  &grid_occupancy,
+                    GridState<dim>        &state)
         : occupancy(grid_occupancy)
-        , mass(state.mass)
-        , count(mass)
+        , cells_with_points(occupancy.scalar_partitioner())
+        , count(occupancy.scalar_partitioner())
       {
-        count = 0.;
+        for (const unsigned int cell : occupancy.occupied_cells())
+          if (points.n_points_in(cell) > 0)
+            for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+              cells_with_points.local_element(occupancy.cell_nodes(cell)[a]) +=
+                1.;
+        cells_with_points.compress(VectorOperation::add);
+        cells_with_points.update_ghost_values();
         add_field(state.pressure_guess, 1);
         add_field(state.velocity_n, dim);
         if (state.acceleration_n.size() > 0)
@@ -33,7 +41,7 @@ namespace seiche
         const auto &locator = occupancy.locator;
         for (const unsigned int cell : occupancy.occupied_cells())
           {
-            if (has_masses(cell))
+            if (has_field(cell))
               continue;
             bool found = false;
             for (const unsigned int face : GeometryInfo<dim>::face_indices())
@@ -70,10 +78,16 @@ namespace seiche
       }
 
       bool
-      has_masses(const unsigned int cell) const
+      is_known(const unsigned int node) const
+      {
+        return cells_with_points.local_element(node) > 0.;
+      }
+
+      bool
+      has_field(const unsigned int cell) const
       {
         for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-          if (mass.local_element(vertex(cell, v)) <= 0.)
+          if (!is_known(vertex(cell, v)))
             return false;
         return true;
       }
@@ -83,13 +97,13 @@ namespace seiche
       add_from(const unsigned int donor, const unsigned int cell)
       {
         if (donor == CellLocator<dim>::invalid ||
-            !occupancy.is_occupied(donor) || !has_masses(donor))
+            !occupancy.is_occupied(donor) || !has_field(donor))
           return false;
         double N[Shape::n_nodes];
         for (unsigned int v = 0; v < Shape::n_nodes; ++v)
           {
             const unsigned int node = vertex(cell, v);
-            if (mass.local_element(node) > 0.)
+            if (is_known(node))
               continue;
             count.local_element(node) += 1.;
             Shape::values(
@@ -121,21 +135,26 @@ namespace seiche
       }
 
       const Occupancy<dim> &occupancy;
-      const Vector         &mass;
-      Vector                count;
+      Vector                cells_with_points, count; // of the nodes
       std::vector<Field>    fields;
     };
   } // namespace
 
   template <int dim>
   void
-  extrapolate_velocity(const Occupancy<dim> &occupancy, GridState<dim> &state)
+  extrapolate_velocity(const PointCloud<dim> &points,
+                       const Occupancy<dim>  &occupancy,
+                       GridState<dim>        &state)
   {
-    Extrapolation<dim>(occupancy, state).run();
+    Extrapolation<dim>(points, occupancy, state).run();
   }
 
   template void
-  extrapolate_velocity(const Occupancy<2> &, GridState<2> &);
+  extrapolate_velocity(const PointCloud<2> &,
+                       const Occupancy<2> &,
+                       GridState<2> &);
   template void
-  extrapolate_velocity(const Occupancy<3> &, GridState<3> &);
+  extrapolate_velocity(const PointCloud<3> &,
+                       const Occupancy<3> &,
+                       GridState<3> &);
 } // namespace seiche

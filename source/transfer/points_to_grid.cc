@@ -384,9 +384,14 @@ namespace seiche
     state.velocity_n.update_ghost_values();
     if (state.acceleration_n.size() > 0)
       state.acceleration_n.update_ghost_values();
+    if (parameters.is_consistent(occupancy.fe.degree))
+      find_closest(points, state);
     if (fill.rule == QuadratureRule::cut_cells)
-      extrapolate_velocity(occupancy, state);
-    improve_velocity(points, state);
+      extrapolate_velocity(points, occupancy, state);
+    if (method.update == VelocityUpdate::fmpm ||
+        method.update == VelocityUpdate::xpic)
+      expand_series(points, state);
+    state.velocity_n.update_ghost_values();
     if (with_acceleration)
       {
         occupancy.for_each_fixed([&](const unsigned int i) {
@@ -394,21 +399,6 @@ namespace seiche
         });
         state.acceleration_n.update_ghost_values();
       }
-  }
-
-
-
-  template <int dim>
-  void
-  Transfer<dim>::improve_velocity(const PointCloud<dim> &points,
-                                  GridState<dim>        &state) const
-  {
-    if (parameters.is_consistent(occupancy.fe.degree))
-      find_closest(points, state);
-    if (method.update == VelocityUpdate::fmpm ||
-        method.update == VelocityUpdate::xpic)
-      expand_series(points, state);
-    state.velocity_n.update_ghost_values();
   }
 
 
@@ -445,6 +435,8 @@ namespace seiche
       solve(PointColumn::acceleration,
             lumped.acceleration_n,
             state.acceleration_n);
+    state.velocity_n.update_ghost_values();
+    state.acceleration_n.update_ghost_values();
   }
 
 

@@ -296,11 +296,6 @@ GEOMETRY = [
                  "  set Inertia = lumped\nend\n"
                  "subsection Points\n  set Per cell and direction = 4\nend\n"),
          line=LAST + 3, expect=['"Inertia" in "Formulation"', "degree"]),
-    Case("cut cells with elements of degree 2",
-         **added("subsection Formulation\n  set Element degree = 2\nend\n"
-                 "subsection Points\n  set Per cell and direction = 4\nend\n"
-                 "subsection Quadrature\n  set Rule = cut cells\nend\n"),
-         line=LAST + 8, expect=['"Rule" in "Quadrature"', "hybrid"]),
     Case("a multigrid for systems that may be factorised",
          **added("subsection Solver\n  set Multigrid = ML\nend\n"),
          line=LAST + 2, expect=['"Multigrid" in "Solver"',

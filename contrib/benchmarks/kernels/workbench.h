@@ -59,7 +59,7 @@ struct Workbench : ParsedScene<dim>
              seiche::Transfer<dim>::columns(scene.transfer),
              MPI_COMM_WORLD)
     , occupancy(locator, scene.formulation.degree)
-    , fill(occupancy, scene.quadrature.value())
+    , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
     , quadrature(seiche::make_quadrature(points,
                                          fill,
                                          scene.fluid.density,

@@ -27,6 +27,13 @@ namespace seiche
     cut_cells        ///< the inside of a level set, and points of fragments
   };
 
+  /// What of a point fills the grid.
+  enum class FilledVolume
+  {
+    initial, ///< V0: an incompressible fluid's J is an error of its motion
+    current  ///< J V0: of a compressible fluid
+  };
+
   /**
    * @brief How full cells and nodes are, and what follows for each cell.
    *
@@ -42,7 +49,9 @@ namespace seiche
     using Vector = typename Occupancy<dim>::Vector;
 
     /// Of @p rule depend the classes. @p occupancy must outlive the object.
-    Fill(Occupancy<dim> &occupancy, const QuadratureRule rule);
+    Fill(Occupancy<dim>      &occupancy,
+         const QuadratureRule rule,
+         const FilledVolume   filled = FilledVolume::initial);
 
     /// After Occupancy::update(); cells with an inside but no points are
     /// occupied then. Collective.
@@ -90,7 +99,18 @@ namespace seiche
       return flags[cell] & sliver;
     }
 
-    /// Own cells on which elements of degree 2 are multilinear: at the surface.
+    /// Where the acceleration's gradient means little: impacts gain energy by
+    /// it, and in spray it is noise.
+    bool
+    is_rough(const unsigned int cell) const
+    {
+      return rule == QuadratureRule::cut_cells ?
+               is_cut(cell) :
+               is_thin(cell) || is_sliver(cell);
+    }
+
+    /// Own cells on which elements of degree 2 are multilinear: at the surface
+    /// and where there are no points.
     const std::vector<char> &
     linear_cells() const
     {
@@ -107,14 +127,14 @@ namespace seiche
       return extent_moments[cell];
     }
 
-    /// Initial volume of the points in an own cell over its measure.
+    /// Volume of the points in an own cell over its measure.
     double
     cell_fill(const unsigned int cell) const
     {
       return fill[cell];
     }
 
-    /// sum N_I V0 over the node's full volume, N_I of FE_Q(1); own and ghost
+    /// sum N_I V over the node's full volume, N_I of FE_Q(1); own and ghost
     /// nodes, zero where no vertex lies.
     const Vector &
     nodal_fill() const
@@ -130,7 +150,7 @@ namespace seiche
       return faces;
     }
 
-    /// sum_I max(0, fill_I - 1) V_I / sum V0, all ranks.
+    /// sum_I max(0, fill_I - 1) V_I / sum V, all ranks.
     double
     overfull_fraction() const
     {
@@ -153,6 +173,10 @@ namespace seiche
     /// has left the wall, and has a surface there. [nodes_per_cell()]
     bool
     is_detached(const unsigned int cell, const double *at_nodes) const;
+
+    /// V of the points.
+    void
+    find_volumes(const PointCloud<dim> &points);
 
     /// Nodal fill, cell fill and the share of the fluid where there is too
     /// much.
@@ -183,9 +207,12 @@ namespace seiche
     void
     collect_ghost_faces();
     void
-    collect_linear_cells();
+    collect_linear_cells(const PointCloud<dim> &points);
 
+    const FilledVolume                  filled;
     const PointBoxes<dim>               boxes;
+    std::vector<double>                 current_volumes; ///< of the points
+    const double                       *volume = nullptr;
     const std::unique_ptr<Surface<dim>> free_surface; ///< with cut cells
     std::vector<double>                 loose;        ///< of the points
     std::vector<char>                   has_loose;    ///< own cells

@@ -4,6 +4,8 @@
 
 #include <seiche/grid/occupancy.h>
 
+#include <array>
+
 namespace seiche
 {
   /**
@@ -22,27 +24,58 @@ namespace seiche
     /// @p occupancy must outlive the object.
     explicit PointBoxes(const Occupancy<dim> &occupancy);
 
-    /// Add the integrals over the box of a point at @p unit in an own cell to
-    /// @p sums, which belong to own and ghost nodes. Local.
+    /// Add the means over the boxes of an own cell's points, times their
+    /// @p volume [points], to @p sums, which belong to own and ghost nodes.
+    /// Local.
     void
-    add(const unsigned int               cell,
-        const dealii::Point<dim>        &unit,
-        const double                     volume,
+    add(const PointCloud<dim>           &points,
+        const double                    *volume,
+        const unsigned int               cell,
         typename Occupancy<dim>::Vector &sums) const;
 
   private:
-    /// Parts of a box along an axis, on both sides of a face of the cell.
-    struct Parts
+    static constexpr unsigned int n_sides = dim == 2 ? 9 : 27;
+
+    /// A part of a box along an axis.
+    struct Part
     {
-      unsigned int n = 1;
-      double       centre[2], share[2]; ///< [unit cell], [-]
+      unsigned int side;   ///< below, in, above the cell: 0, 1, 2
+      double       centre; ///< [unit cell]
+      double       share;  ///< [-]
     };
 
-    Parts
-    divide(const unsigned int cell,
-           const unsigned int direction,
-           const double       centre,
-           const double       edge) const;
+    /// What the cell and those around it hold.
+    struct Integrals
+    {
+      std::array<unsigned int, n_sides>                  holder;
+      std::array<std::array<double, 1u << dim>, n_sides> of_vertices;
+      std::array<bool, n_sides>                          exists{};
+    };
+
+    /// The parts on both sides of a face, or the whole box; their number.
+    unsigned int
+    divide(const unsigned int   cell,
+           const unsigned int   direction,
+           const double         centre,
+           const double         edge,
+           std::array<Part, 2> &parts) const;
+
+    /// The cell that holds parts on a side: this one around the edge of an
+    /// obstacle, invalid if the mesh is finer or coarser there.
+    unsigned int
+    find_holder(const unsigned int cell, const unsigned int side) const;
+
+    void
+    add_part(const unsigned int               cell,
+             const std::array<Part, dim>     &part,
+             double                           volume,
+             Integrals                       &integrals,
+             typename Occupancy<dim>::Vector &sums) const;
+
+    void
+    add_to(const unsigned int                   cell,
+           const std::array<double, 1u << dim> &of_vertices,
+           typename Occupancy<dim>::Vector     &sums) const;
 
     const Occupancy<dim> &occupancy;
   };

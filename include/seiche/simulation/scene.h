@@ -50,6 +50,9 @@ namespace seiche
     bool
     uses_mean_volume() const;
 
+    FilledVolume
+    filled_volume() const;
+
     /// Columns of statistics.csv that Simulation sets itself, in their order.
     std::vector<std::string>
     simulation_columns() const;

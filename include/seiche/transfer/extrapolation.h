@@ -8,15 +8,16 @@
 namespace seiche
 {
   /**
-   * Velocity, and acceleration and pressure, at the nodes of occupied cells
-   * that have no mass from the points, as in cells with an inside but no
-   * points: the mean of what the multilinear fields of the face neighbours
-   * (else of all neighbours) whose vertices have masses become there. Linear
-   * fields stay what they are. Collective.
+   * Velocity, and acceleration and pressure, at the vertices of occupied cells
+   * that no cell with points touches: the mean of what the multilinear fields
+   * of the face neighbours (else of all neighbours) whose vertices are known
+   * become there. Linear fields stay what they are. Collective.
    */
   template <int dim>
   void
-  extrapolate_velocity(const Occupancy<dim> &occupancy, GridState<dim> &state);
+  extrapolate_velocity(const PointCloud<dim> &points,
+                       const Occupancy<dim>  &occupancy,
+                       GridState<dim>        &state);
 } // namespace seiche
 
 #endif

@@ -149,11 +149,6 @@ namespace seiche
       const double held_beyond = std::numeric_limits<double>::infinity()) const;
 
   private:
-    /// Nodal velocities that need more than a lumped mass. Collective.
-    void
-    improve_velocity(const PointCloud<dim> &points,
-                     GridState<dim>        &state) const;
-
     /// Nodal velocities closest to the points'. Collective.
     void
     find_closest(const PointCloud<dim> &points, GridState<dim> &state) const;

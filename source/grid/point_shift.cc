@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/point_shift.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  PointShift<dim>::PointShift(const unsigned int own_cell,
+                              PointCloud<dim>   &cloud)
+    : cell(own_cell)
+    , points(cloud)
+  {
+    for (unsigned int face = 0; face < 2 * dim; ++face)
+      is_wall[face] = points.locator.boundary_id(cell, face) !=
+                      numbers::internal_face_boundary_id;
+    const bool has_gradient = points.has(PointColumn::velocity_gradient);
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        position[c] = points.data(PointColumn::position, c);
+        velocity[c] = points.data(PointColumn::velocity, c);
+        for (unsigned int d = 0; d < dim; ++d)
+          gradient[c * dim + d] =
+            has_gradient ?
+              points.data(PointColumn::velocity_gradient, c * dim + d) :
+              nullptr;
+      }
+  }
+
+  template <int dim>
+  void
+  PointShift<dim>::apply(const std::size_t point, Tensor<1, dim> delta) const
+  {
+    const auto           &locator = points.locator;
+    const Tensor<1, dim> &extent  = locator.extent(cell);
+    const Point<dim>     &lower   = locator.lower_corner(cell);
+    Point<dim>            place;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        place[d]            = position[d][point];
+        const bool   up     = delta[d] > 0.;
+        const double length = std::abs(delta[d]);
+        if (length > 0. && is_wall[2 * d + up])
+          {
+            const double unit     = (place[d] - lower[d]) / extent[d];
+            const double distance = std::max(0., up ? 1. - unit : unit);
+            delta[d] *= distance / (distance + length);
+          }
+        delta[d] *= extent[d];
+        place[d] += delta[d];
+      }
+    if (!locator.holds(cell, place) &&
+        locator.find(place, cell) == CellLocator<dim>::invalid)
+      return;
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        position[c][point] = place[c];
+        if (gradient[c] != nullptr)
+          for (unsigned int d = 0; d < dim; ++d)
+            velocity[c][point] += delta[d] * gradient[c * dim + d][point];
+      }
+  }
+
+  template class PointShift<2>;
+  template class PointShift<3>;
+} // namespace seiche
