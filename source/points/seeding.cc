@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
+#include <seiche/points/body_pieces.h>
 #include <seiche/points/seeding.h>
 #include <seiche/scene/expression.h>
 
@@ -29,8 +30,8 @@ namespace seiche
     prm.add_parameter("Jitter",
                       jitter,
                       "Points are displaced at random by up to this share of "
-                      "their spacing in each direction; 0 gives a regular "
-                      "lattice. [-]",
+                      "their spacing in each direction, except at curved and "
+                      "inclined surfaces; 0 gives a regular lattice. [-]",
                       dealii::Patterns::Double(0., 0.5));
     prm.add_parameter("Seed",
                       seed,
@@ -124,35 +125,6 @@ namespace seiche
 
 
 
-    /// The lattice of points in one cell.
-    template <int dim>
-    struct Lattice
-    {
-      dealii::Point<dim>            origin;  // [m]
-      dealii::Tensor<1, dim>        spacing; // [m]
-      std::array<unsigned int, dim> n;
-      unsigned int                  n_all = 1; // 0: body and cell do not meet
-
-      Lattice(const dealii::BoundingBox<dim> &part,
-              const dealii::BoundingBox<dim> &cell,
-              const unsigned int              per_direction)
-        : origin(part.get_boundary_points().first)
-      {
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            // slices thinner than round-off come from box faces on grid lines
-            const double share = part.side_length(d) / cell.side_length(d);
-            n[d]               = 0;
-            if (share > 1e-10)
-              n[d] = std::max(1L, std::lround(share * per_direction));
-            n_all *= n[d];
-            spacing[d] = n[d] > 0 ? part.side_length(d) / n[d] : 0.;
-          }
-      }
-    };
-
-
-
     /// Seeds the cells of this rank with one body.
     template <int dim>
     class Seeder
@@ -160,28 +132,26 @@ namespace seiche
     public:
       Seeder(const SeedingParameters      &seeding_parameters,
              const std::vector<Body<dim>> &body_list,
+             const unsigned int            index,
              const double                  rest_density,
-             PointCloud<dim>              &target)
-        : parameters(seeding_parameters)
-        , bodies(body_list)
-        , density(rest_density)
-        , points(target)
-      {}
+             PointCloud<dim>              &target);
 
       /// Every cell of the finest lattice inside the cell.
       void
-      fill(const unsigned int body_index, const unsigned int cell);
+      fill(const unsigned int cell);
 
       double smallest_spacing = std::numeric_limits<double>::max();
+      double largest_share    = 0.; ///< of a point, of its place [-]
 
     private:
       void
-      fill_box(const unsigned int              body_index,
-               const dealii::BoundingBox<dim> &box,
-               const std::uint64_t             lattice_index);
+      fill_lattice(const typename BodyPieces<dim>::LatticeCell &lattice_cell);
 
-      bool
-      is_free(const dealii::Point<dim> &x, const unsigned int body_index) const;
+      /// The place of a point that has all of its part of the lattice.
+      dealii::Point<dim>
+      displaced(const typename BodyPieces<dim>::Lattice &lattice,
+                const dealii::Point<dim>                &place,
+                const std::uint64_t                      id) const;
 
       /// dv_i/dx_j by central differences, for the last point.
       void
@@ -189,42 +159,62 @@ namespace seiche
                             const dealii::Point<dim> &x,
                             const double              step);
 
-      const SeedingParameters      &parameters;
-      const std::vector<Body<dim>> &bodies;
-      const double                  density;
-      PointCloud<dim>              &points;
+      const SeedingParameters &parameters;
+      const Body<dim>         &body;
+      const unsigned int       body_index;
+      const double             density;
+      PointCloud<dim>         &points;
+      BodyPieces<dim>          pieces;
     };
 
 
 
     template <int dim>
-    void
-    Seeder<dim>::fill(const unsigned int body_index, const unsigned int cell)
+    std::vector<const Region<dim> *>
+    regions(const std::vector<Body<dim>> &bodies)
     {
-      const CellLocator<dim>        &locator = points.locator;
-      const dealii::BoundingBox<dim> around =
-        bodies[body_index].region->bounding_box();
-      const auto apart = [&around](const dealii::BoundingBox<dim> &box) {
-        for (unsigned int d = 0; d < dim; ++d)
-          if (around.lower_bound(d) > box.upper_bound(d) ||
-              around.upper_bound(d) < box.lower_bound(d))
-            return true;
-        return false;
-      };
-      if (apart(locator.box(cell)))
-        return;
-      const unsigned int  n = locator.lattice_size(cell);
+      std::vector<const Region<dim> *> result;
+      for (const Body<dim> &body : bodies)
+        result.push_back(body.region.get());
+      return result;
+    }
+
+
+
+    template <int dim>
+    Seeder<dim>::Seeder(const SeedingParameters      &seeding_parameters,
+                        const std::vector<Body<dim>> &body_list,
+                        const unsigned int            index,
+                        const double                  rest_density,
+                        PointCloud<dim>              &target)
+      : parameters(seeding_parameters)
+      , body(body_list[index])
+      , body_index(index)
+      , density(rest_density)
+      , points(target)
+      , pieces(target.locator,
+               regions(body_list),
+               index,
+               seeding_parameters.per_direction)
+    {}
+
+
+
+    template <int dim>
+    void
+    Seeder<dim>::fill(const unsigned int cell)
+    {
+      const unsigned int  n = points.locator.lattice_size(cell);
       const std::uint64_t n_boxes =
         dealii::Utilities::fixed_power<dim>(std::uint64_t(n));
       for (std::uint64_t i = 0; i < n_boxes; ++i)
         {
-          std::array<unsigned int, dim> offset;
-          std::uint64_t                 rest = i;
+          typename BodyPieces<dim>::LatticeCell lattice_cell;
+          lattice_cell.cell  = cell;
+          std::uint64_t rest = i;
           for (unsigned int d = 0; d < dim; ++d, rest /= n)
-            offset[d] = rest % n;
-          const auto box = locator.lattice_box(cell, offset);
-          if (!apart(box))
-            fill_box(body_index, box, locator.lattice_index(cell, offset));
+            lattice_cell.offset[d] = rest % n;
+          fill_lattice(lattice_cell);
         }
     }
 
@@ -232,54 +222,47 @@ namespace seiche
 
     template <int dim>
     void
-    Seeder<dim>::fill_box(const unsigned int              body_index,
-                          const dealii::BoundingBox<dim> &box,
-                          const std::uint64_t             lattice_index)
+    Seeder<dim>::fill_lattice(
+      const typename BodyPieces<dim>::LatticeCell &lattice_cell)
     {
-      const Region<dim> &region = *bodies[body_index].region;
-      const unsigned int per    = parameters.per_direction;
-      const Lattice<dim> lattice(region.lattice_box(box), box, per);
-
-      double volume = 1.;
-      for (unsigned int d = 0; d < dim; ++d)
-        volume *= lattice.spacing[d];
+      const auto         &lattice = pieces.lattice(lattice_cell);
+      const unsigned int  per     = parameters.per_direction;
       const std::uint64_t first_id =
         (static_cast<std::uint64_t>(body_index) << id_bits) |
-        (lattice_index * dealii::Utilities::fixed_power<dim>(per));
+        (points.locator.lattice_index(lattice_cell.cell, lattice_cell.offset) *
+         dealii::Utilities::fixed_power<dim>(per));
+      const double step =
+        1e-4 *
+        points.locator.lattice_box(lattice_cell.cell, lattice_cell.offset)
+          .side_length(0);
 
       for (unsigned int i = 0; i < lattice.n_all; ++i)
         {
-          dealii::Point<dim> x;
+          const auto piece = pieces.piece(lattice_cell, i);
+          if (piece.volume == 0.)
+            continue;
+          const auto         k      = lattice.position(i);
+          dealii::Point<dim> x      = piece.centre;
           std::uint64_t      id     = first_id;
           std::uint64_t      stride = 1;
-          unsigned int       rest   = i;
-          for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int d = 0; d < dim; ++d, stride *= per)
             {
-              const unsigned int k = rest % lattice.n[d];
-              x[d] = lattice.origin[d] + (k + 0.5) * lattice.spacing[d];
-              id += k * stride;
-              stride *= per;
-              rest /= lattice.n[d];
+              id += k[d] * stride;
+              if (piece.is_whole)
+                x[d] = lattice.origin[d] + (k[d] + 0.5) * lattice.spacing[d];
             }
-          if (!is_free(x, body_index))
-            continue;
-          if (parameters.jitter > 0.)
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                const double upper =
-                  lattice.origin[d] + lattice.n[d] * lattice.spacing[d];
-                x[d] += parameters.jitter * lattice.spacing[d] *
-                        random_offset(parameters.seed, id, d);
-                x[d] = std::min(std::max(x[d], lattice.origin[d]), upper);
-              }
-          const Expression<dim> &velocity = *bodies[body_index].velocity;
+          if (piece.is_whole)
+            x = displaced(lattice, x, id);
+          const Expression<dim> &velocity = *body.velocity;
           points.insert(id,
                         x,
                         velocity.vector_value(x, /*t=*/0.),
-                        density * volume,
-                        volume);
+                        density * piece.volume,
+                        piece.volume);
           if (points.has(PointColumn::velocity_gradient))
-            set_velocity_gradient(velocity, x, 1e-4 * box.side_length(0));
+            set_velocity_gradient(velocity, x, step);
+          largest_share =
+            std::max(largest_share, piece.volume / lattice.measure());
           for (unsigned int d = 0; d < dim; ++d)
             smallest_spacing = std::min(smallest_spacing, lattice.spacing[d]);
         }
@@ -288,14 +271,22 @@ namespace seiche
 
 
     template <int dim>
-    bool
-    Seeder<dim>::is_free(const dealii::Point<dim> &x,
-                         const unsigned int        body_index) const
+    dealii::Point<dim>
+    Seeder<dim>::displaced(const typename BodyPieces<dim>::Lattice &lattice,
+                           const dealii::Point<dim>                &place,
+                           const std::uint64_t                      id) const
     {
-      for (unsigned int b = 0; b < body_index; ++b)
-        if (bodies[b].region->contains(x))
-          return false;
-      return bodies[body_index].region->contains(x);
+      dealii::Point<dim> x = place;
+      if (parameters.jitter > 0.)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const double upper =
+              lattice.origin[d] + lattice.n[d] * lattice.spacing[d];
+            x[d] += parameters.jitter * lattice.spacing[d] *
+                    random_offset(parameters.seed, id, d);
+            x[d] = std::min(std::max(x[d], lattice.origin[d]), upper);
+          }
+      return x;
     }
 
 
@@ -388,17 +379,16 @@ namespace seiche
                               n_places,
                               id_bits));
     check_memory(made, n_places, input, points);
-    Seeder<dim> seeder(parameters, made, density, points);
+    double smallest_spacing = std::numeric_limits<double>::max();
     for (unsigned int b = 0; b < made.size(); ++b)
       {
-        const std::size_t n_before = points.size();
+        Seeder<dim> seeder(parameters, made, b, density, points);
         for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
-          seeder.fill(b, cell);
-        const std::uint64_t n_added =
-          dealii::Utilities::MPI::sum(static_cast<std::uint64_t>(points.size() -
-                                                                 n_before),
-                                      points.communicator);
-        input.require(n_added > 0,
+          seeder.fill(cell);
+        smallest_spacing = std::min(smallest_spacing, seeder.smallest_spacing);
+        input.require(dealii::Utilities::MPI::max(seeder.largest_share,
+                                                  points.communicator) >=
+                        BodyPieces<dim>::light,
                       bodies[b].path("Shape"),
                       "the body holds no material point: it is smaller than "
                       "the spacing of the points, or it lies inside an "
@@ -408,8 +398,7 @@ namespace seiche
     SeedingResult result;
     result.n_points = points.n_global();
     result.half_spacing =
-      0.5 *
-      dealii::Utilities::MPI::min(seeder.smallest_spacing, points.communicator);
+      0.5 * dealii::Utilities::MPI::min(smallest_spacing, points.communicator);
     return result;
   }
 

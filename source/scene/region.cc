@@ -8,12 +8,14 @@
 #include <deal.II/base/patterns.h>
 
 #include <boost/geometry.hpp>
+#include <boost/geometry/geometries/linestring.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace seiche
 {
@@ -32,10 +34,20 @@ namespace seiche
         : box(extent)
       {}
 
-      bool
-      contains(const dealii::Point<dim> &x) const override
+      double
+      level(const dealii::Point<dim> &x) const override
       {
-        return box.point_inside(x, /*tolerance=*/0.);
+        double result = std::numeric_limits<double>::lowest();
+        for (unsigned int d = 0; d < dim; ++d)
+          result = std::max(
+            {result, box.lower_bound(d) - x[d], x[d] - box.upper_bound(d)});
+        return result;
+      }
+
+      bool
+      is_box() const override
+      {
+        return true;
       }
 
       Box<dim>
@@ -73,14 +85,14 @@ namespace seiche
         , semi_axes(half_lengths)
       {}
 
-      bool
-      contains(const dealii::Point<dim> &x) const override
+      double
+      level(const dealii::Point<dim> &x) const override
       {
-        double sum = 0.;
+        double sum = -1.;
         for (unsigned int d = 0; d < dim; ++d)
           sum += (x[d] - centre[d]) * (x[d] - centre[d]) /
                  (semi_axes[d] * semi_axes[d]);
-        return sum <= 1.;
+        return sum;
       }
 
       Box<dim>
@@ -104,12 +116,16 @@ namespace seiche
 
       explicit PolygonRegion(const Polygon &outline)
         : polygon(outline)
+        , edges(outline.outer().begin(), outline.outer().end())
       {}
 
-      bool
-      contains(const dealii::Point<2> &x) const override
+      /// The distance.
+      double
+      level(const dealii::Point<2> &x) const override
       {
-        return boost::geometry::covered_by(Vertex(x[0], x[1]), polygon);
+        const Vertex place(x[0], x[1]);
+        const double distance = boost::geometry::distance(place, edges);
+        return boost::geometry::within(place, polygon) ? -distance : distance;
       }
 
       Box<2>
@@ -123,7 +139,8 @@ namespace seiche
       }
 
     private:
-      const Polygon polygon;
+      const Polygon                                    polygon;
+      const boost::geometry::model::linestring<Vertex> edges;
     };
 
 
@@ -132,15 +149,15 @@ namespace seiche
     class ExpressionRegion : public Region<dim>
     {
     public:
-      ExpressionRegion(Expression<dim> &&function, const Box<dim> &whole)
-        : level(std::move(function))
+      ExpressionRegion(Expression<dim> &&level_set, const Box<dim> &whole)
+        : function(std::move(level_set))
         , domain(whole)
       {}
 
-      bool
-      contains(const dealii::Point<dim> &x) const override
+      double
+      level(const dealii::Point<dim> &x) const override
       {
-        return level.value(x, /*t=*/0.) < 0.;
+        return function.value(x, /*t=*/0.);
       }
 
       Box<dim>
@@ -150,7 +167,7 @@ namespace seiche
       }
 
     private:
-      const Expression<dim> level;
+      const Expression<dim> function;
       const Box<dim>        domain;
     };
 
@@ -249,7 +266,8 @@ namespace seiche
     prm.add_parameter("Expression",
                       expression_text,
                       "The fluid is where this function of x, y[, z] is "
-                      "negative.");
+                      "negative. A continuous one; it is evaluated in the "
+                      "whole domain, walls included.");
     prm.add_parameter("Velocity",
                       velocity,
                       "Velocity at the start: one expression of x, y[, z] "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Area of each shape by counting lattice points, and the refused bodies.
+// Area of each shape, summed over boxes, and the refused bodies.
+#include <seiche/scene/box_part.h>
 #include <seiche/scene/region.h>
 
 #include <iomanip>
@@ -30,15 +31,22 @@ namespace
   {
     std::unique_ptr<SceneFromText<2>> scene;
     const auto                        region = make(entries, scene);
-    const unsigned int                n      = 400;
-    unsigned int                      inside = 0;
-    for (unsigned int i = 0; i < 2 * n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        inside +=
-          region->contains(dealii::Point<2>((i + 0.5) / n, (j + 0.5) / n));
+    constexpr double                  edge   = 0.025;
+    double                            area   = 0.;
+    for (unsigned int i = 0; i < 80; ++i)
+      for (unsigned int j = 0; j < 40; ++j)
+        {
+          const dealii::Point<2>       lower(i * edge, j * edge);
+          const dealii::BoundingBox<2> box(
+            {lower, lower + dealii::Tensor<1, 2>({edge, edge})});
+          area += edge * edge *
+                  seiche::part_inside<2>(
+                    [&](const auto &x) { return region->level(x); }, box)
+                    .share;
+        }
     const auto corners = region->bounding_box().get_boundary_points();
-    std::cout << "area " << inside / double(n * n) << " box " << corners.first
-              << " to " << corners.second << std::endl;
+    std::cout << "area " << area << " box " << corners.first << " to "
+              << corners.second << std::endl;
   }
 } // namespace
 
@@ -48,7 +56,7 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  std::cout << std::setprecision(6);
+  std::cout << std::setprecision(9);
 
   measure("set Lower corner = 0.1, 0.2\n set Upper corner = 0.9, 0.7\n");
   measure("set Shape = ball\n set Centre = 1, 0.5\n set Radius = 0.4\n");

@@ -33,12 +33,14 @@ namespace seiche
   /**
    * Fill the bodies with points: every own cell that a region touches gets the
    * lattice of Region::lattice_box() with per_direction points per full cell
-   * edge (fewer, at least one, in a cut box), each kept if the region holds
-   * the undisturbed place, then displaced by jitter (never out of its box).
-   * Ids and jitter depend on the lattice index and the seed only, not on
-   * ranks. If @p points carries a velocity gradient, it is set from central
-   * differences of the velocity. Overlapping bodies: the first one wins.
-   * Locates the points. InputError for a body that gets no point and for
+   * edge (fewer, at least one, in a cut box). A place that is in the body gets
+   * a point in its middle, displaced by jitter (never out of its box); of one
+   * that the surface cuts the point has the volume and the centre of the part
+   * inside (BodyPieces). Ids and jitter depend on the lattice index and the
+   * seed only,
+   * not on ranks. If @p points carries a velocity gradient, it is set from
+   * central differences of the velocity. Overlapping bodies: the first one
+   * wins. Locates the points. InputError for a body that gets no point and for
    * impossible shapes and velocities. Collective.
    */
   template <int dim>

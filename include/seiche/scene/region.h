@@ -26,8 +26,16 @@ namespace seiche
   public:
     virtual ~Region() = default;
 
+    /// Negative inside, positive outside, of any unit.
+    virtual double
+    level(const dealii::Point<dim> &x) const = 0;
+
+    /// True if lattice_box() has no part outside the region.
     virtual bool
-    contains(const dealii::Point<dim> &x) const = 0;
+    is_box() const
+    {
+      return false;
+    }
 
     /// A box that contains the region.
     virtual dealii::BoundingBox<dim>
