@@ -4,6 +4,8 @@
 
 #include <deal.II/base/geometry_info.h>
 
+#include <numeric>
+
 namespace seiche
 {
   using namespace dealii;
@@ -43,7 +45,8 @@ namespace seiche
   void
   Fill<dim>::update(const PointCloud<dim> &points)
   {
-    find_volumes(points);
+    if (filled == FilledVolume::current)
+      find_current_volumes(points);
     sum_points(points);
     if (rule == QuadratureRule::cut_cells)
       find_surface(points);
@@ -54,57 +57,58 @@ namespace seiche
 
   template <int dim>
   void
-  Fill<dim>::find_volumes(const PointCloud<dim> &points)
+  Fill<dim>::find_current_volumes(const PointCloud<dim> &points)
   {
-    volume = points.data(PointColumn::initial_volume);
-    if (filled == FilledVolume::initial)
-      return;
-    const double *ratio = points.data(PointColumn::volume_ratio);
+    const double *initial = points.data(PointColumn::initial_volume);
+    const double *ratio   = points.data(PointColumn::volume_ratio);
     current_volumes.resize(points.size());
     for (std::size_t p = 0; p < points.size(); ++p)
-      current_volumes[p] = ratio[p] * volume[p];
-    volume = current_volumes.data();
+      current_volumes[p] = ratio[p] * initial[p];
+  }
+
+  template <int dim>
+  void
+  Fill<dim>::add_values(const PointCloud<dim> &points, const unsigned int cell)
+  {
+    // by the hats of FE_Q(1), for every degree
+    using Shape          = TensorShape<dim, 1>;
+    const double *volume = volumes(points);
+    double        N[Shape::n_nodes], nodal[HangingNodes<dim>::max_nodes] = {};
+    for (std::size_t p = points.first_point(cell);
+         p < points.first_point(cell + 1);
+         ++p)
+      {
+        Shape::values(points.locator.to_unit(cell, points.position(p)), N);
+        for (unsigned int v = 0; v < Shape::n_nodes; ++v)
+          nodal[occupancy.vertex_node(v)] += N[v] * volume[p];
+      }
+    occupancy.condense(cell, nodal);
+    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+      node_fill.local_element(nodes[a]) += nodal[a];
   }
 
   template <int dim>
   void
   Fill<dim>::sum_points(const PointCloud<dim> &points)
   {
-    // by the hats of FE_Q(1), for every degree
-    using Shape                       = TensorShape<dim, 1>;
-    constexpr unsigned int n_vertices = Shape::n_nodes;
-    const auto            &locator    = occupancy.locator;
-    double                 total      = 0.;
+    const auto &locator = occupancy.locator;
+    double      total   = 0.;
     fill.assign(locator.n_cells(), 0.);
     node_fill.reinit(occupancy.scalar_partitioner());
-    const bool has_boxes = rule == QuadratureRule::cut_cells;
-    double     N[n_vertices], nodal[HangingNodes<dim>::max_nodes];
+    const double *volume = volumes(points);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        double sum = 0.;
-        std::fill(std::begin(nodal), std::end(nodal), 0.);
-        for (std::size_t p = points.first_point(cell);
-             p < points.first_point(cell + 1);
-             ++p)
-          {
-            sum += volume[p];
-            if (has_boxes)
-              continue;
-            Shape::values(locator.to_unit(cell, points.position(p)), N);
-            for (unsigned int v = 0; v < n_vertices; ++v)
-              nodal[occupancy.vertex_node(v)] += N[v] * volume[p];
-          }
+        const double sum =
+          std::accumulate(volume + points.first_point(cell),
+                          volume + points.first_point(cell + 1),
+                          0.);
         fill[cell] = rounded(sum / locator.measure(cell));
         total += sum;
-        if (has_boxes)
-          {
-            boxes.add(points, volume, cell, node_fill);
-            continue;
-          }
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        occupancy.condense(cell, nodal);
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          node_fill.local_element(nodes[a]) += nodal[a];
+        if (rule == QuadratureRule::cut_cells)
+          boxes.add(points, volume, cell, node_fill);
+        else
+          add_values(points, cell);
       }
     node_fill.compress(VectorOperation::add);
 
@@ -187,12 +191,13 @@ namespace seiche
   {
     if (rule == QuadratureRule::cut_cells)
       {
-        const double  share = surface().inside_share(cell);
-        const double *part  = loose_shares(points, cell);
-        double        loose = 0.;
+        const double  share  = surface().inside_share(cell);
+        const double *part   = loose_shares(points, cell);
+        const double *volume = volumes(points) + points.first_point(cell);
+        double        loose  = 0.;
         if (part != nullptr)
           for (unsigned int p = 0; p < points.n_points_in(cell); ++p)
-            loose += part[p] * volume[points.first_point(cell) + p];
+            loose += part[p] * volume[p];
         loose /= occupancy.locator.measure(cell);
         return {share < 1.,
                 share < 1. ? 0. : 1.,

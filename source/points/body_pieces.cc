@@ -143,6 +143,13 @@ namespace seiche
   }
 
   template <int dim>
+  bool
+  BodyPieces<dim>::is_apart_from(const unsigned int cell) const
+  {
+    return apart(region.bounding_box(), locator.box(cell));
+  }
+
+  template <int dim>
   const typename BodyPieces<dim>::Lattice &
   BodyPieces<dim>::lattice(const LatticeCell &lattice_cell)
   {

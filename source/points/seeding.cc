@@ -204,6 +204,8 @@ namespace seiche
     void
     Seeder<dim>::fill(const unsigned int cell)
     {
+      if (pieces.is_apart_from(cell))
+        return;
       const unsigned int  n = points.locator.lattice_size(cell);
       const std::uint64_t n_boxes =
         dealii::Utilities::fixed_power<dim>(std::uint64_t(n));

@@ -3,9 +3,12 @@
 
 #include <deal.II/base/geometry_info.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -173,43 +176,28 @@ namespace seiche
                               const unsigned int   direction,
                               std::vector<double> &places) const
     {
-      constexpr unsigned int n_parts      = dim == 2 ? 8 : 3;
-      constexpr unsigned int n_iterations = 60;
-
-      const auto at = [&](const double place) {
+      constexpr unsigned int n_parts = dim == 2 ? 8 : 3;
+      const auto             at      = [&](const double place) {
         unit[direction] = place;
         return value(unit);
+      };
+      const auto is_near = [](const double a, const double b) {
+        return std::abs(b - a) < on_face;
       };
       double a = 0., at_a = at(a);
       for (unsigned int part = 1; part <= n_parts; ++part)
         {
-          const double end    = part / static_cast<double>(n_parts);
-          const double at_end = at(end);
-          if ((at_a < 0.) != (at_end < 0.))
+          const double b    = part / static_cast<double>(n_parts);
+          const double at_b = at(b);
+          if ((at_a < 0.) != (at_b < 0.))
             {
-              // regula falsi, "Illinois": also where the function jumps
-              double b = end, at_b = at_end, last = -1.;
-              for (unsigned int i = 0; i < n_iterations; ++i)
-                {
-                  const double x = (a * at_b - b * at_a) / (at_b - at_a);
-                  if (std::abs(x - last) < on_face)
-                    break;
-                  last              = x;
-                  const double at_x = at(x);
-                  if ((at_x < 0.) == (at_b < 0.))
-                    at_a *= 0.5;
-                  else
-                    {
-                      a    = b;
-                      at_a = at_b;
-                    }
-                  b    = x;
-                  at_b = at_x;
-                }
-              places.push_back(std::clamp(last, 0., 1.));
+              std::uintmax_t n_iterations = 60;
+              const auto [lower, upper]   = boost::math::tools::toms748_solve(
+                at, a, b, at_a, at_b, is_near, n_iterations);
+              places.push_back(0.5 * (lower + upper));
             }
-          a    = end;
-          at_a = at_end;
+          a    = b;
+          at_a = at_b;
         }
     }
 

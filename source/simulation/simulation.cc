@@ -36,7 +36,7 @@ namespace seiche
                       scene.quadrature.gauss_in_full_cells())
     , occupancy(locator,
                 scene.formulation.degree,
-                scene.quadrature.value() == QuadratureRule::cut_cells)
+                scene.quadrature.reaches_neighbors())
     , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
     , density_projection(fill, scene.point_control.density_time)
     , point_control(scene.point_control, points, occupancy, fill)

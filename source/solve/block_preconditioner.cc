@@ -16,8 +16,8 @@ namespace seiche
 
     /// Factors of the diagonal before ILU(0), tried in this order: the ghost
     /// penalty is no M-matrix, and without a stronger diagonal the factors of
-    /// spray can be unstable (applied to diag(A), which should give about 1,
-    /// they gave 5e27). The first saves iterations besides.
+    /// spray can be unstable (applied to diag(A) they should give about 1).
+    /// The first saves iterations besides.
     constexpr std::array<double, 3> ilu_diagonal_factors = {{1.05, 1.2, 1.5}};
     constexpr double                ilu_unstable_above   = 1e4;
   } // namespace

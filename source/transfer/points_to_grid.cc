@@ -391,7 +391,6 @@ namespace seiche
     if (method.update == VelocityUpdate::fmpm ||
         method.update == VelocityUpdate::xpic)
       expand_series(points, state);
-    state.velocity_n.update_ghost_values();
     if (with_acceleration)
       {
         occupancy.for_each_fixed([&](const unsigned int i) {
@@ -429,14 +428,13 @@ namespace seiche
       mass.right_hand_side(column, momentum);
       momentum += sum;
       mass.solve(result, momentum);
+      result.update_ghost_values();
     };
     solve(PointColumn::velocity, lumped.velocity_n, state.velocity_n);
     if (state.acceleration_n.size() > 0)
       solve(PointColumn::acceleration,
             lumped.acceleration_n,
             state.acceleration_n);
-    state.velocity_n.update_ghost_values();
-    state.acceleration_n.update_ghost_values();
   }
 
 

@@ -58,7 +58,9 @@ struct Workbench : ParsedScene<dim>
     , points(locator,
              seiche::Transfer<dim>::columns(scene.transfer),
              MPI_COMM_WORLD)
-    , occupancy(locator, scene.formulation.degree)
+    , occupancy(locator,
+                scene.formulation.degree,
+                scene.quadrature.reaches_neighbors())
     , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
     , quadrature(seiche::make_quadrature(points,
                                          fill,

@@ -174,9 +174,22 @@ namespace seiche
     bool
     is_detached(const unsigned int cell, const double *at_nodes) const;
 
-    /// V of the points.
+    /// Volumes of the points.
+    const double *
+    volumes(const PointCloud<dim> &points) const
+    {
+      return filled == FilledVolume::initial ?
+               points.data(PointColumn::initial_volume) :
+               current_volumes.data();
+    }
+
     void
-    find_volumes(const PointCloud<dim> &points);
+    find_current_volumes(const PointCloud<dim> &points);
+
+    /// Add the hats' values at a cell's points, times their volume, to the
+    /// nodal fill.
+    void
+    add_values(const PointCloud<dim> &points, const unsigned int cell);
 
     /// Nodal fill, cell fill and the share of the fluid where there is too
     /// much.
@@ -211,11 +224,10 @@ namespace seiche
 
     const FilledVolume                  filled;
     const PointBoxes<dim>               boxes;
-    std::vector<double>                 current_volumes; ///< of the points
-    const double                       *volume = nullptr;
-    const std::unique_ptr<Surface<dim>> free_surface; ///< with cut cells
-    std::vector<double>                 loose;        ///< of the points
-    std::vector<char>                   has_loose;    ///< own cells
+    std::vector<double>                 current_volumes; ///< J V0
+    const std::unique_ptr<Surface<dim>> free_surface;    ///< with cut cells
+    std::vector<double>                 loose;           ///< of the points
+    std::vector<char>                   has_loose;       ///< own cells
     std::vector<double>                 weight, fill, extent_moments;
     std::vector<unsigned char>          flags;
     std::vector<char>                   linear;

@@ -15,10 +15,9 @@ namespace seiche
    * @brief What a fluid body has of the lattice of places for its points: one
    * piece per place, without what belongs to earlier bodies.
    *
-   * A light piece is joined to the one across the face
-   * towards which its centre lies, so that hardly any point is light. Volumes
-   * add up to that of the body outside obstacles; the same pieces on every
-   * rank.
+   * A light piece is joined to the one across the face towards which its
+   * centre lies, so that hardly any point is light. Volumes add up to that of
+   * the body outside obstacles; the same pieces on every rank.
    */
   template <int dim>
   class BodyPieces
@@ -73,6 +72,10 @@ namespace seiche
                const unsigned int                      body,
                const unsigned int                      points_per_direction);
 
+    /// True if the body does not come near a cell.
+    bool
+    is_apart_from(const unsigned int cell) const;
+
     /// Valid until the next call.
     const Lattice &
     lattice(const LatticeCell &lattice_cell);
@@ -94,7 +97,7 @@ namespace seiche
       unsigned int index;
     };
 
-    /// Kept for a while.
+    /// Kept until lattice() makes room.
     const Content &
     content(const LatticeCell &lattice_cell);
 

@@ -37,8 +37,7 @@ namespace seiche
    * a point in its middle, displaced by jitter (never out of its box); of one
    * that the surface cuts the point has the volume and the centre of the part
    * inside (BodyPieces). Ids and jitter depend on the lattice index and the
-   * seed only,
-   * not on ranks. If @p points carries a velocity gradient, it is set from
+   * seed only, not on ranks. If @p points carries a velocity gradient, it is set from
    * central differences of the velocity. Overlapping bodies: the first one
    * wins. Locates the points. InputError for a body that gets no point and for
    * impossible shapes and velocities. Collective.

@@ -94,6 +94,13 @@ namespace seiche
     {
       return value() != QuadratureRule::material_points;
     }
+
+    /// May cells beside those that hold points belong to the fluid?
+    bool
+    reaches_neighbors() const
+    {
+      return value() == QuadratureRule::cut_cells;
+    }
   };
 
   /**
