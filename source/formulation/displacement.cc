@@ -20,7 +20,6 @@ namespace seiche
                  const unsigned int                         q,
                  const MaterialConstants                   &material)
       {
-        // finite kappa needs the whole volume error: no relaxation here
         const Lanes J_n = load<Lanes>(&cell.quadrature.volume_ratio[q]);
         volume_t = point.det_t * J_n * load<Lanes>(&cell.quadrature.volume[q]);
         const VolumeStrain<Lanes> strain(material.volume_law,

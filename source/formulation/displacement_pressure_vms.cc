@@ -86,14 +86,13 @@ namespace seiche
            state.fine_pressure * (1. / this->material.bulk_modulus));
         for (unsigned int a = 0; a < n_nodes; ++a)
           residual_p[a] += coarse * point.N[a];
-        if (!cell.sliver)
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              const Lanes fine =
-                state.volume_t * tau.momentum * state.momentum_residual[i];
-              for (unsigned int a = 0; a < n_nodes; ++a)
-                residual_p[a] -= fine * point.gradient_t[i][a];
-            }
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            const Lanes fine =
+              state.volume_t * tau.momentum * state.momentum_residual[i];
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              residual_p[a] -= fine * point.gradient_t[i][a];
+          }
       }
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
@@ -101,8 +100,6 @@ namespace seiche
           cell.residual_u[i][a] = sum(residual_u[i][a]);
         cell.residual_p[a] = sum(residual_p[a]);
       }
-    if (cell.sliver && tau.momentum > 0.)
-      sliver_residual(cell, tau.momentum);
   }
 
   template <int dim>
@@ -157,8 +154,7 @@ namespace seiche
                                                 state.stress,
                                                 state.pressure);
 
-        const Lanes fine =
-          cell.sliver ? Lanes(0.) : state.volume_t * tau.momentum;
+        const Lanes fine   = state.volume_t * tau.momentum;
         const Lanes weight = weight_g * load<Lanes>(&cell.quadrature.volume[q]);
         Lanes       inertia[n_nodes]; // rho C_a of the momentum residual
         for (unsigned int a = 0; a < n_nodes; ++a)
@@ -175,7 +171,7 @@ namespace seiche
                                                   inertia);
         PressureTerms<dim, degree>::add_diagonal(
           cell, point, n_points, weight / kappa, fine);
-        if (!cell.sliver && !turns_little(state, negligible_force))
+        if (!turns_little(state, negligible_force))
           PressureTerms<dim, degree>::add_turns(cell,
                                                 point,
                                                 n_points,
@@ -184,7 +180,7 @@ namespace seiche
                                                 state.pressure_gradient,
                                                 state.momentum_residual);
         if constexpr (degree > 1)
-          if (viscosity != 0. && !cell.sliver && parts.force)
+          if (viscosity != 0. && parts.force)
             {
               Lanes derivative[dim][dim][n_nodes];
               state.stress_divergence_derivative(cell,
@@ -199,8 +195,6 @@ namespace seiche
                         sum(point.gradient_t[i][a] * derivative[i][k][b]);
             }
       }
-    if (cell.sliver && tau.momentum > 0.)
-      sliver_tangent(cell, tau.momentum);
   }
 
   template <int dim>

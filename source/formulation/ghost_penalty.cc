@@ -21,16 +21,6 @@ namespace seiche
                       "Ghost penalty on jumps of the pressure's normal "
                       "derivative, gamma_p [-]",
                       Patterns::Double(0.));
-    prm.add_parameter("Ghost velocity",
-                      velocity,
-                      "Damping of jumps of the velocity's normal derivative "
-                      "on thin cells, gamma_v [-]",
-                      Patterns::Double(0.));
-    prm.add_parameter("Ghost velocity time",
-                      velocity_time,
-                      "Time T_v of that damping: a physical time, so that it "
-                      "does not grow with small steps [s]",
-                      Patterns::Double(1e-300));
     prm.add_parameter("Point inertia",
                       point_inertia,
                       "Inertia of the points' own extent (second moments), in "
@@ -38,28 +28,16 @@ namespace seiche
                       "nodes with little mass from running away; more than 4 "
                       "slows fronts; 0: none [-]",
                       Patterns::Double(0., 16.));
-    prm.add_parameter("Sliver treatment",
-                      sliver_treatment,
-                      "Cells with little fluid: lumped mass, averaged "
-                      "subscale term");
     prm.leave_subsection();
   }
 
   GhostCoefficients
   ghost_coefficients(const FreeSurfaceParameters &parameters,
-                     const GhostFace             &face,
                      const double                 h,
                      const double                 density,
-                     const double                 tau_momentum,
-                     const bool                   damping)
+                     const double                 tau_momentum)
   {
-    const double      inertia = density * h * h * h;
-    GhostCoefficients result;
-    result.acceleration = parameters.acceleration * inertia;
-    result.pressure     = parameters.pressure * tau_momentum * h;
-    if (damping && face.thin)
-      result.velocity =
-        parameters.velocity * inertia / parameters.velocity_time;
-    return result;
+    return {parameters.acceleration * density * h * h * h,
+            parameters.pressure * tau_momentum * h};
   }
 } // namespace seiche

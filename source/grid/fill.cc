@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/fill.h>
-#include <seiche/utilities/shape_functions.h>
-
-#include <deal.II/base/geometry_info.h>
 
 #include <numeric>
 
@@ -12,15 +9,6 @@ namespace seiche
 
   namespace
   {
-    // doc/theory.md, table of cell classes: the only thresholds of this kind
-    constexpr double thin_below            = 0.7;
-    constexpr double sliver_below          = 0.3;
-    constexpr double inner_needs_fill      = 0.3;
-    constexpr double surface_weight_begins = 0.7;
-    constexpr double surface_weight_range  = 0.25;
-    constexpr double detached_below        = 0.5;
-    constexpr double fragment_below        = 0.02;
-
     double
     rounded(const double fill)
     {
@@ -33,10 +21,9 @@ namespace seiche
                   const QuadratureRule quadrature_rule,
                   const FilledVolume   filled_volume)
     : occupancy(grid_occupancy)
-    , rule(quadrature_rule)
     , filled(filled_volume)
     , boxes(occupancy)
-    , free_surface(rule == QuadratureRule::cut_cells ?
+    , free_surface(quadrature_rule == QuadratureRule::cut_cells ?
                      std::make_unique<Surface<dim>>(occupancy) :
                      nullptr)
   {}
@@ -48,10 +35,9 @@ namespace seiche
     if (filled == FilledVolume::current)
       find_current_volumes(points);
     sum_points(points);
-    if (rule == QuadratureRule::cut_cells)
+    if (has_surface())
       find_surface(points);
     classify(points);
-    collect_linear_cells(points);
     collect_ghost_faces();
   }
 
@@ -64,28 +50,6 @@ namespace seiche
     current_volumes.resize(points.size());
     for (std::size_t p = 0; p < points.size(); ++p)
       current_volumes[p] = ratio[p] * initial[p];
-  }
-
-  template <int dim>
-  void
-  Fill<dim>::add_values(const PointCloud<dim> &points, const unsigned int cell)
-  {
-    // by the hats of FE_Q(1), for every degree
-    using Shape          = TensorShape<dim, 1>;
-    const double *volume = volumes(points);
-    double        N[Shape::n_nodes], nodal[HangingNodes<dim>::max_nodes] = {};
-    for (std::size_t p = points.first_point(cell);
-         p < points.first_point(cell + 1);
-         ++p)
-      {
-        Shape::values(points.locator.to_unit(cell, points.position(p)), N);
-        for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-          nodal[occupancy.vertex_node(v)] += N[v] * volume[p];
-      }
-    occupancy.condense(cell, nodal);
-    const unsigned int *nodes = occupancy.cell_nodes(cell);
-    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-      node_fill.local_element(nodes[a]) += nodal[a];
   }
 
   template <int dim>
@@ -105,10 +69,7 @@ namespace seiche
                           0.);
         fill[cell] = rounded(sum / locator.measure(cell));
         total += sum;
-        if (rule == QuadratureRule::cut_cells)
-          boxes.add(points, volume, cell, node_fill);
-        else
-          add_values(points, cell);
+        boxes.add(points, volume, cell, node_fill);
       }
     node_fill.compress(VectorOperation::add);
 
@@ -166,109 +127,47 @@ namespace seiche
   }
 
   template <int dim>
-  bool
-  Fill<dim>::is_detached(const unsigned int cell, const double *at_nodes) const
+  double
+  Fill<dim>::loose_volume(const unsigned int     cell,
+                          const PointCloud<dim> &points) const
   {
-    const auto &locator = occupancy.locator;
-    for (const unsigned int face : GeometryInfo<dim>::face_indices())
-      {
-        const types::boundary_id wall = locator.boundary_id(cell, face);
-        if (wall == numbers::internal_face_boundary_id ||
-            locator.grid.wall_condition(wall) != WallCondition::unilateral)
-          continue;
-        for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-          if (((v >> (face / 2)) & 1u) == face % 2 &&
-              at_nodes[occupancy.vertex_node(v)] < detached_below)
-            return true;
-      }
-    return false;
-  }
-
-  template <int dim>
-  typename Fill<dim>::Content
-  Fill<dim>::content(const unsigned int     cell,
-                     const PointCloud<dim> &points) const
-  {
-    if (rule == QuadratureRule::cut_cells)
-      {
-        const double  share  = surface().inside_share(cell);
-        const double *part   = loose_shares(points, cell);
-        const double *volume = volumes(points) + points.first_point(cell);
-        double        loose  = 0.;
-        if (part != nullptr)
-          for (unsigned int p = 0; p < points.n_points_in(cell); ++p)
-            loose += part[p] * volume[p];
-        loose /= occupancy.locator.measure(cell);
-        return {share < 1.,
-                share < 1. ? 0. : 1.,
-                loose,
-                share + loose,
-                share < fragment_below};
-      }
-    double              at_nodes[HangingNodes<dim>::max_nodes];
-    const unsigned int *nodes = occupancy.cell_nodes(cell);
-    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-      at_nodes[a] = node_fill.local_element(nodes[a]);
-    occupancy.expand(cell, at_nodes);
-    const bool is_cut = touches_unoccupied(cell) || is_detached(cell, at_nodes);
-    double     weight = 0.;
-    if (rule == QuadratureRule::hybrid)
-      {
-        double least = std::numeric_limits<double>::max();
-        for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
-          least = std::min(least, at_nodes[occupancy.vertex_node(v)]);
-        // distance to the surface first, fill second: lattices stretched by
-        // the flow make fill vary where there is no surface
-        weight =
-          is_cut ?
-            std::clamp((least - surface_weight_begins) / surface_weight_range,
-                       0.,
-                       1.) :
-            (least > inner_needs_fill ? 1. : 0.);
-      }
-    return {is_cut, weight, (1. - weight) * fill[cell], fill[cell], true};
+    if (!has_surface())
+      return fill[cell];
+    const double *share = loose_shares(points, cell);
+    if (share == nullptr)
+      return 0.;
+    const double *volume = volumes(points) + points.first_point(cell);
+    return std::inner_product(share,
+                              share + points.n_points_in(cell),
+                              volume,
+                              0.) /
+           occupancy.locator.measure(cell);
   }
 
   template <int dim>
   void
   Fill<dim>::classify(const PointCloud<dim> &points)
   {
-    const unsigned int n_cells = occupancy.locator.n_cells();
-    weight.assign(n_cells, 0.);
-    extent_moments.assign(occupancy.locator.n_owned(), 0.);
-    flags.assign(n_cells, 0);
+    const auto &locator = occupancy.locator;
+    cut.assign(locator.n_cells(), 0);
+    linear.assign(locator.n_owned(), 0);
+    extent_moments.assign(locator.n_owned(), 0.);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        const Content here = content(cell, points);
-        weight[cell]       = here.gauss_weight;
-        if (here.is_cut)
-          flags[cell] |= cut;
-        if (here.is_cut && here.is_fragment && here.volume < thin_below)
-          flags[cell] |= thin;
-        if (weight[cell] < 1. && here.is_fragment && here.volume < sliver_below)
-          flags[cell] |= sliver;
-        if (here.loose > 0.)
+        cut[cell] = has_surface() ? !is_full(cell) : touches_unoccupied(cell);
+        linear[cell]       = cut[cell] || points.n_points_in(cell) == 0;
+        const double loose = loose_volume(cell, points);
+        if (loose > 0.)
           {
             // points may be larger than cells where the mesh was refined
             const double share =
               std::min(1., fill[cell] / points.n_points_in(cell));
-            extent_moments[cell] = here.loose * std::pow(share, 2. / dim) / 12.;
+            extent_moments[cell] = loose * std::pow(share, 2. / dim) / 12.;
           }
       }
-    occupancy.locator.exchange_to_ghosts(weight);
-    std::vector<double> values(flags.begin(), flags.end());
-    occupancy.locator.exchange_to_ghosts(values);
-    std::copy(values.begin(), values.end(), flags.begin());
-  }
-
-  template <int dim>
-  void
-  Fill<dim>::collect_linear_cells(const PointCloud<dim> &points)
-  {
-    linear.assign(occupancy.locator.n_owned(), 0);
-    for (const unsigned int cell : occupancy.occupied_cells())
-      linear[cell] = is_cut(cell) || points.n_points_in(cell) == 0 ||
-                     (rule == QuadratureRule::hybrid && weight[cell] < 1.);
+    std::vector<double> values(cut.begin(), cut.end());
+    locator.exchange_to_ghosts(values);
+    std::copy(values.begin(), values.end(), cut.begin());
   }
 
   template <int dim>
@@ -283,8 +182,7 @@ namespace seiche
           const unsigned int upper,
           const unsigned int direction) {
         if (is_cut(lower) || is_cut(upper))
-          faces.push_back(
-            {lower, upper, direction, is_thin(lower) || is_thin(upper)});
+          faces.push_back({lower, upper, direction});
       });
   }
 

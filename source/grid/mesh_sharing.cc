@@ -10,9 +10,8 @@ namespace seiche
 
   namespace
   {
-    // Work in units of a thousandth of a full cell's (doc/scaling.md). Cells at
-    // the surface have points instead of Gauss points as quadrature, and its
-    // nodes longer rows (ghost faces).
+    // Work in units of a thousandth of a full cell's (doc/scaling.md). Nodes of
+    // the surface have longer rows (ghost faces).
     constexpr unsigned int weight_of_empty_cell       = 1;
     constexpr unsigned int weight_of_cell             = 400;
     constexpr unsigned int weight_of_node             = 600;
@@ -30,9 +29,7 @@ namespace seiche
     if (!holds_fluid[cell])
       return weight_of_empty_cell;
     const unsigned int work_of_point =
-      weight_of_point + (at_surface[cell] || !gauss_in_full_cells ?
-                           weight_of_quadrature_point :
-                           0);
+      weight_of_point + (gauss_in_full_cells ? 0 : weight_of_quadrature_point);
     const double work_of_nodes =
       at_surface[cell] ? weight_of_surface_node * nodes(cell) : weight_of_node;
     return weight_of_cell + static_cast<unsigned int>(work_of_nodes) +

@@ -34,11 +34,9 @@ namespace seiche
 
   template <int dim>
   Occupancy<dim>::Occupancy(const CellLocator<dim> &cell_locator,
-                            const unsigned int      degree,
-                            const bool              neighbors_too)
+                            const unsigned int      degree)
     : locator(cell_locator)
     , fe(degree)
-    , with_neighbors(neighbors_too)
     , dof_handler(cell_locator.grid.triangulation)
   {
     reinit();
@@ -203,12 +201,11 @@ namespace seiche
         {
           occupied.push_back(cell);
           const auto neighbors = locator.vertex_neighbors(cell);
-          inside               = inside && active_flag[cell] &&
-                   (!with_neighbors || std::all_of(neighbors.begin(),
-                                                   neighbors.end(),
-                                                   [&](const unsigned int c) {
-                                                     return active_flag[c];
-                                                   }));
+          inside =
+            inside && active_flag[cell] &&
+            std::all_of(neighbors.begin(),
+                        neighbors.end(),
+                        [&](const unsigned int c) { return active_flag[c]; });
         }
     global_occupied =
       Utilities::MPI::sum(static_cast<std::uint64_t>(occupied.size()),
@@ -310,9 +307,9 @@ namespace seiche
   void
   Occupancy<dim>::number()
   {
-    // the outermost layer of neighbours saves numberings
+    // boxes of points reach into the first layer; the second saves numberings
     active_flag = occupied_flag;
-    for (unsigned int layer = 0; layer < (with_neighbors ? 2 : 1); ++layer)
+    for (unsigned int layer = 0; layer < 2; ++layer)
       {
         const std::vector<char> before = active_flag;
         for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)

@@ -49,8 +49,8 @@ namespace seiche
       grid.add_scalar("pressure [Pa]");
       grid.add_scalar("nodal fill [-]");
       grid.add_scalar("cell fill [-]");
-      grid.add_scalar("Gauss weight [-]");
-      grid.add_scalar("cell class (0 inner 1 cut 2 thin 3 sliver)");
+      grid.add_scalar("inside share [-]");
+      grid.add_scalar("cut [-]");
 
       const Occupancy<dim>   &occupancy = view.occupancy;
       const CellLocator<dim> &locator   = occupancy.locator;
@@ -98,9 +98,8 @@ namespace seiche
           for (unsigned int v = 0; v < n; ++v)
             {
               patch.data(2 * dim + 2, v) = fill.cell_fill(cell);
-              patch.data(2 * dim + 3, v) = fill.gauss_weight(cell);
-              patch.data(2 * dim + 4, v) =
-                fill.is_cut(cell) + fill.is_thin(cell) + fill.is_sliver(cell);
+              patch.data(2 * dim + 3, v) = fill.inside_share(cell);
+              patch.data(2 * dim + 4, v) = fill.is_cut(cell);
             }
         }
       return grid;

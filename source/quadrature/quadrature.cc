@@ -30,15 +30,15 @@ namespace seiche
       }
     };
 
-    /// J_n as GaussRatio says. Linear: least squares, weighted by V0 (the
+    /// J_n as VolumeRatio says. Linear: least squares, weighted by V0 (the
     /// mean jumps, by the gradient, whenever a point crosses a face).
     template <int dim>
     LinearRatio<dim>
     ratio_of(const PointCloud<dim> &points,
              const unsigned int     cell,
-             const GaussRatio       ratio)
+             const VolumeRatio      ratio)
     {
-      if (ratio == GaussRatio::one || points.n_points_in(cell) == 0)
+      if (ratio == VolumeRatio::one || points.n_points_in(cell) == 0)
         return {};
       const double *volume = points.data(PointColumn::initial_volume);
       const double *J_p    = points.data(PointColumn::volume_ratio);
@@ -62,7 +62,7 @@ namespace seiche
         }
       J.mean   = sum / total;
       J.center = Point<dim>() + center / total;
-      if (ratio == GaussRatio::mean)
+      if (ratio == VolumeRatio::mean)
         return J;
 
       Tensor<2, dim> moment;
@@ -84,8 +84,9 @@ namespace seiche
     class MaterialPoints : public Quadrature<dim>
     {
     public:
-      explicit MaterialPoints(const PointCloud<dim> &points)
+      MaterialPoints(const PointCloud<dim> &points, const VolumeRatio ratio)
         : points(points)
+        , ratio(ratio)
       {}
 
       void
@@ -93,66 +94,50 @@ namespace seiche
           CellQuadrature<dim> &quadrature) const override
       {
         quadrature.clear();
-        append(cell, 1., quadrature);
+        append(cell, nullptr, quadrature);
         quadrature.pad();
       }
 
-      /// The cell's points, with a weight for each that may be zero.
+      /// The cell's points, of each a share, which may be zero (null: whole).
       void
       append(const unsigned int   cell,
-             const double        *weights,
+             const double        *shares,
              CellQuadrature<dim> &quadrature) const
-      {
-        append_each(
-          cell, [&](const std::size_t i) { return weights[i]; }, quadrature);
-      }
-
-      /// The cell's points with a common weight.
-      void
-      append(const unsigned int   cell,
-             const double         weight,
-             CellQuadrature<dim> &quadrature) const
-      {
-        append_each(
-          cell, [&](const std::size_t) { return weight; }, quadrature);
-      }
-
-    private:
-      template <typename Weight>
-      void
-      append_each(const unsigned int   cell,
-                  const Weight        &weight_of,
-                  CellQuadrature<dim> &quadrature) const
       {
         const double *mass   = points.data(PointColumn::mass);
         const double *volume = points.data(PointColumn::initial_volume);
-        const double *ratio  = points.data(PointColumn::volume_ratio);
+        const double *J_p    = points.data(PointColumn::volume_ratio);
         const auto    first  = points.first_point(cell);
         for (std::size_t p = first; p < points.first_point(cell + 1); ++p)
-          if (const double weight = weight_of(p - first); weight > 0.)
+          if (const double share = shares != nullptr ? shares[p - first] : 1.;
+              share > 0.)
             quadrature.push_back(points.locator.to_unit(cell,
                                                         points.position(p)),
-                                 weight * mass[p],
-                                 weight * volume[p],
-                                 ratio[p]);
+                                 share * mass[p],
+                                 share * volume[p],
+                                 ratio == VolumeRatio::one ? 1. : J_p[p]);
       }
 
+    private:
       const PointCloud<dim> &points;
+      const VolumeRatio      ratio;
     };
 
+    /// The inside of the free surface: Gauss points in full cells, as many in
+    /// cut ones; and the loose points.
     template <int dim>
-    class Hybrid : public Quadrature<dim>
+    class CutCells : public Quadrature<dim>
     {
     public:
-      Hybrid(const PointCloud<dim> &points,
-             const Fill<dim>       &fill,
-             const double           density,
-             const GaussRatio       ratio)
+      CutCells(const PointCloud<dim> &points,
+               const Fill<dim>       &fill,
+               const double           density,
+               const VolumeRatio      ratio)
         : points(points)
         , fill(fill)
         , density(density)
         , ratio(ratio)
-        , material_points(points)
+        , material_points(points, ratio)
         , gauss(fill.occupancy.fe.degree + 1)
       {}
 
@@ -160,37 +145,44 @@ namespace seiche
       get(const unsigned int   cell,
           CellQuadrature<dim> &quadrature) const override
       {
-        const double     weight  = fill.gauss_weight(cell);
-        const double     measure = points.locator.measure(cell);
-        const bool       is_full = weight == 1. && ratio == GaussRatio::one;
-        constexpr double same = 1e-12; // equal cells differ in the last digits
-        if (is_full &&
+        if (fill.is_full(cell))
+          get_full(cell, quadrature);
+        else
+          get_cut(cell, quadrature);
+        quadrature.pad();
+      }
+
+    private:
+      void
+      get_full(const unsigned int cell, CellQuadrature<dim> &quadrature) const
+      {
+        const double     measure  = points.locator.measure(cell);
+        const bool       is_equal = ratio == VolumeRatio::one;
+        constexpr double same     = 1e-12; // equal cells, in the last digits
+        if (is_equal &&
             std::abs(quadrature.full_measure - measure) < same * measure)
           return;
         quadrature.clear();
-        if (weight < 1.)
-          add_at_surface(cell, 1. - weight, quadrature);
-        if (weight > 0.)
-          {
-            const LinearRatio<dim> J = ratio_of(points, cell, ratio);
-            for (unsigned int q = 0; q < gauss.size(); ++q)
-              add(gauss.point(q),
-                  weight * measure * gauss.weight(q),
-                  J,
-                  quadrature);
-          }
-        quadrature.pad();
-        quadrature.full_measure = is_full ? measure : 0.;
+        const LinearRatio<dim> J = ratio_of(points, cell, ratio);
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          add(gauss.point(q), measure * gauss.weight(q), J, quadrature);
+        quadrature.full_measure = is_equal ? measure : 0.;
       }
 
-    protected:
-      /// What a cell has beside Gauss points, with the weight @p rest.
-      virtual void
-      add_at_surface(const unsigned int   cell,
-                     const double         rest,
-                     CellQuadrature<dim> &quadrature) const
+      void
+      get_cut(const unsigned int cell, CellQuadrature<dim> &quadrature) const
       {
-        material_points.append(cell, rest, quadrature);
+        quadrature.clear();
+        if (const double *loose = fill.loose_shares(points, cell))
+          material_points.append(cell, loose, quadrature);
+        const double share = fill.surface().inside_share(cell);
+        if (share == 0.)
+          return;
+        const LinearRatio<dim> J = ratio_of(points, cell, ratio);
+        const double           volume =
+          share * points.locator.measure(cell) / CutCell<dim>::n_vertices;
+        for (const Point<dim> &x : fill.surface().rule(cell))
+          add(x, volume, J, quadrature);
       }
 
       /// A point that is no material one, of a volume at t_n: V0 = V_n/J_n.
@@ -208,38 +200,9 @@ namespace seiche
       const PointCloud<dim>    &points;
       const Fill<dim>          &fill;
       const double              density;
-      const GaussRatio          ratio;
+      const VolumeRatio         ratio;
       const MaterialPoints<dim> material_points;
-
-    private:
-      const QGauss<dim> gauss;
-    };
-
-    /// The inside of the free surface: Gauss points in full cells, as many in
-    /// cut ones; and the loose points.
-    template <int dim>
-    class CutCells : public Hybrid<dim>
-    {
-    public:
-      using Hybrid<dim>::Hybrid;
-
-    protected:
-      void
-      add_at_surface(const unsigned int cell,
-                     const double,
-                     CellQuadrature<dim> &quadrature) const override
-      {
-        if (const double *loose = this->fill.loose_shares(this->points, cell))
-          this->material_points.append(cell, loose, quadrature);
-        const double share = this->fill.surface().inside_share(cell);
-        if (share == 0.)
-          return;
-        const LinearRatio<dim> J = ratio_of(this->points, cell, this->ratio);
-        const double           volume =
-          share * this->points.locator.measure(cell) / CutCell<dim>::n_vertices;
-        for (const Point<dim> &x : this->fill.surface().rule(cell))
-          this->add(x, volume, J, quadrature);
-      }
+      const QGauss<dim>         gauss;
     };
   } // namespace
 
@@ -273,15 +236,15 @@ namespace seiche
   QuadratureParameters::add_parameters(ParameterHandler &prm)
   {
     prm.enter_subsection("Quadrature");
-    prm.add_parameter("Rule",
-                      rule,
-                      "Quadrature of the weak forms. material points: the "
-                      "points everywhere; hybrid: Gauss points in full cells, "
-                      "points in the cells near the free surface; cut cells: "
-                      "the inside of a free surface that follows from the fill "
-                      "of the points, as sharp as a small part of their "
-                      "spacing, and points in drops and thin sheets",
-                      Patterns::Selection("material points|hybrid|cut cells"));
+    prm.add_parameter(
+      "Rule",
+      rule,
+      "Quadrature of the weak forms. cut cells: the inside of a "
+      "free surface that follows from the fill of the points, "
+      "as sharp as a small part of their spacing, and points "
+      "in drops and thin sheets; material points: the points "
+      "everywhere",
+      Patterns::Selection("cut cells|material points"));
     prm.leave_subsection();
   }
 
@@ -290,7 +253,6 @@ namespace seiche
   {
     static const std::map<std::string, QuadratureRule> rules = {
       {"material points", QuadratureRule::material_points},
-      {"hybrid", QuadratureRule::hybrid},
       {"cut cells", QuadratureRule::cut_cells}};
     return rules.at(rule);
   }
@@ -300,17 +262,11 @@ namespace seiche
   make_quadrature(const PointCloud<dim> &points,
                   const Fill<dim>       &fill,
                   const double           density,
-                  const GaussRatio       ratio)
+                  const VolumeRatio      ratio)
   {
-    switch (fill.rule)
-      {
-        case QuadratureRule::hybrid:
-          return std::make_unique<Hybrid<dim>>(points, fill, density, ratio);
-        case QuadratureRule::cut_cells:
-          return std::make_unique<CutCells<dim>>(points, fill, density, ratio);
-        default:
-          return std::make_unique<MaterialPoints<dim>>(points);
-      }
+    if (fill.has_surface())
+      return std::make_unique<CutCells<dim>>(points, fill, density, ratio);
+    return std::make_unique<MaterialPoints<dim>>(points, ratio);
   }
 
 #define INSTANTIATE(dim)                                          \
@@ -319,7 +275,7 @@ namespace seiche
     const PointCloud<dim> &,                                      \
     const Fill<dim> &,                                            \
     const double,                                                 \
-    const GaussRatio);
+    const VolumeRatio);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -38,13 +38,6 @@ namespace seiche
     quadrature.add_parameters(prm);
     free_surface.add_parameters(prm);
     prm.enter_subsection("Volume");
-    prm.add_parameter("Relaxation time",
-                      volume_relaxation_time,
-                      "Time in which volume errors of the points are removed; "
-                      "0: within each step, which costs pressure noise, and in "
-                      "steps far below those of the CFL number energy: set 0.5 "
-                      "there [s]",
-                      Patterns::Double(0.));
     prm.add_parameter(
       "Update",
       volume_update,
@@ -119,11 +112,6 @@ namespace seiche
                        "the irreducible form needs a finite one [Pa], about "
                        "density * (10 * largest speed)^2; or set "
                        "Formulation/Name = displacement-pressure");
-    input_file.require(fluid.is_incompressible() ||
-                         volume_relaxation_time == 0.,
-                       "Volume/Relaxation time",
-                       "a finite Bulk modulus needs the whole volume error: "
-                       "set it to 0, or Bulk modulus = infinite");
     input_file.require(
       transfer_method(transfer.method).update !=
           VelocityUpdate::flip_acceleration ||
@@ -146,10 +134,8 @@ namespace seiche
   FilledVolume
   Scene<dim>::filled_volume() const
   {
-    return fluid.is_incompressible() ||
-               quadrature.value() != QuadratureRule::cut_cells ?
-             FilledVolume::initial :
-             FilledVolume::current;
+    return fluid.is_incompressible() ? FilledVolume::initial :
+                                       FilledVolume::current;
   }
 
   template <int dim>

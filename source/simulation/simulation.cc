@@ -30,13 +30,8 @@ namespace seiche
     , formulation(make_formulation<dim>(scene.formulation, scene.material()))
     , points(locator, point_columns(), communicator)
     , seeding(fill_points(start))
-    , mesh_adaptation(grid,
-                      locator,
-                      points,
-                      scene.quadrature.gauss_in_full_cells())
-    , occupancy(locator,
-                scene.formulation.degree,
-                scene.quadrature.reaches_neighbors())
+    , mesh_adaptation(grid, locator, points, scene.quadrature.has_surface())
+    , occupancy(locator, scene.formulation.degree)
     , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
     , density_projection(fill, scene.point_control.density_time)
     , point_control(scene.point_control, points, occupancy, fill)
@@ -187,11 +182,8 @@ namespace seiche
   {
     const bool projects =
       scene.time.projects_each_step() || time_stepper.steps() == 0;
-    // a smaller step after a failure must ask for less, or it fails as well
-    const std::string problem = step_solver.solve(state,
-                                                  projects,
-                                                  time_stepper.share(),
-                                                  time_stepper.is_repeated());
+    const std::string problem =
+      step_solver.solve(state, projects, time_stepper.is_repeated());
     effort.newton += step_solver.effort().iterations;
     effort.krylov += step_solver.effort().krylov_iterations;
     newton_total += step_solver.effort().iterations;
@@ -224,7 +216,7 @@ namespace seiche
                                 largest_way() :
                                 std::numeric_limits<double>::infinity());
     formulation->update_points(points);
-    if (fill.rule == QuadratureRule::cut_cells)
+    if (fill.has_surface())
       density_projection.apply(state.dt, points);
     if (accepts)
       accepted_failures.account(

@@ -50,9 +50,10 @@ namespace seiche
     , quadrature(make_quadrature(points,
                                  fill,
                                  scene.fluid.density,
-                                 is_incompressible        ? GaussRatio::one :
-                                 scene.uses_mean_volume() ? GaussRatio::linear :
-                                                            GaussRatio::mean))
+                                 is_incompressible ? VolumeRatio::one :
+                                 scene.uses_mean_volume() ?
+                                                     VolumeRatio::linear :
+                                                     VolumeRatio::mean))
     , wall_velocity(scene.grid, scene.input, scene.time.end_time)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
     , dry_edges(occupancy)
@@ -73,8 +74,7 @@ namespace seiche
     , velocity_projection(assembler,
                           matrix,
                           linear_solver,
-                          scene.linear_solver.projection_tolerance,
-                          scene.time.projection_sweeps)
+                          scene.linear_solver.projection_tolerance)
     , residual_projection(assembler, *quadrature, occupancy)
     , newton(scene.newton,
              scene.linear_solver.tolerance,
@@ -108,7 +108,7 @@ namespace seiche
     bool converged = true;
     if (has_pressure)
       converged =
-        velocity_projection.apply(state, step_coefficients(state.dt, 1.))
+        velocity_projection.apply(state, time_scheme.coefficients(state.dt))
           .converged;
     converged =
       converged && velocity_projection.consistent_start(state).converged;
@@ -122,14 +122,13 @@ namespace seiche
   std::string
   StepSolver<dim>::solve(GridState<dim> &state,
                          const bool      projects,
-                         const double    share,
                          const bool      is_repeated)
   {
     last = NewtonResult();
     if (const std::string problem = problem_of_walls(state); !problem.empty())
       return problem;
     dry_edges.update(state);
-    const StepCoefficients step = step_coefficients(state.dt, share);
+    const StepCoefficients step = time_scheme.coefficients(state.dt);
     linear_solver.begin_step();
     if (const std::string problem = find_start_velocity(state, step, projects);
         !problem.empty())
@@ -198,19 +197,6 @@ namespace seiche
         if (!wall_contact.correct_start(state))
           return "";
       }
-  }
-
-  template <int dim>
-  StepCoefficients
-  StepSolver<dim>::step_coefficients(const double dt, const double share) const
-  {
-    StepCoefficients result = time_scheme.coefficients(dt);
-    if (is_incompressible) // else the volume change is the pressure
-      result.volume_recovery =
-        scene.volume_relaxation_time > 0. ?
-          std::min(1., dt / scene.volume_relaxation_time) :
-          share;
-    return result;
   }
 
   template <int dim>

@@ -79,11 +79,9 @@ namespace seiche
               matrix.evaluate(*face, occupancy);
               add_face(matrix,
                        ghost_coefficients(free_surface,
-                                          *face,
                                           matrix.h,
                                           formulation.material.density,
-                                          ghost_tau(size, degree),
-                                          step.damping));
+                                          ghost_tau(size, degree)));
             };
             with_degree(std::max(occupancy.degree(face->lower),
                                  occupancy.degree(face->upper)),
@@ -179,11 +177,8 @@ namespace seiche
             {
               const unsigned int dof = dim * face.nodes[b] + i;
               const double       u   = state.displacement().local_element(dof);
-              jump[b] =
-                coefficient.acceleration *
-                  (step.inertia * u + inertia_offset->local_element(dof)) +
-                coefficient.velocity *
-                  (step.rate * u + rate_offset->local_element(dof));
+              jump[b]                = coefficient.acceleration *
+                        (step.inertia * u + inertia_offset->local_element(dof));
             }
           for (unsigned int a = 0; a < n; ++a)
             {
@@ -232,8 +227,7 @@ namespace seiche
       Tensor<1, dim>        &last_extent = last_extents[degree - 1];
       const bool             condensed =
         occupancy.template unknowns<degree>(cell).matrix != nullptr;
-      const bool reusable =
-        at_rest && !condensed && fill.gauss_weight(cell) == 1.;
+      const bool reusable = at_rest && !condensed && fill.is_full(cell);
       matrix.prefetch_cell(cell);
       const Tensor<1, dim> &extent = occupancy.locator.extent(cell);
       if (!reusable || (extent - last_extent).norm() > same * extent.norm())
@@ -250,8 +244,7 @@ namespace seiche
     const auto add_face = [&](const auto              &face,
                               const GhostCoefficients &coefficient) {
       matrix.add_face(face,
-                      coefficient.acceleration * step.inertia +
-                        coefficient.velocity * step.rate,
+                      coefficient.acceleration * step.inertia,
                       coefficient.pressure);
     };
     for_each_cell_and_ghost_face(add_cell, add_face);
@@ -262,10 +255,8 @@ namespace seiche
   Assembler<dim>::is_at_rest(const GridState<dim> &state) const
   {
     const Vector &u = state.displacement();
-    // Gauss points of an incompressible fluid have no volume to recover
     return formulation.has_pressure() && step.theta == 0. && !step.viscous &&
-           (step.volume_recovery == 0. ||
-            formulation.material.is_incompressible()) &&
+           (!step.elastic || formulation.material.is_incompressible()) &&
            tau_is_uniform &&
            std::all_of(u.begin(), u.end(), [](const double value) {
              return value == 0.;

@@ -15,13 +15,12 @@ namespace seiche
     CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
     const auto            &locator = occupancy.locator;
     data.coefficients              = step;
-    if (fill.is_rough(cell))
+    if (fill.is_cut(cell)) // there impacts gain energy by it
       data.coefficients.jerk_constraint = 0.;
     data.extent         = locator.extent(cell);
     data.size           = dim == 2 ? std::sqrt(locator.measure(cell)) :
                                      std::cbrt(locator.measure(cell));
-    data.sliver         = free_surface.sliver_treatment && fill.is_sliver(cell);
-    data.lumped         = data.sliver || formulation.lumps_inertia;
+    data.lumped         = formulation.lumps_inertia;
     data.extent_inertia = free_surface.point_inertia *
                           formulation.material.density *
                           fill.extent_moment(cell) * locator.measure(cell);

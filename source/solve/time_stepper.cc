@@ -107,12 +107,6 @@ namespace seiche
                       "When the start velocity is made to satisfy the "
                       "discrete constraint (mixed form); one linear solve",
                       Patterns::Selection("each step|at the start"));
-    prm.add_parameter("Projection sweeps",
-                      projection_sweeps,
-                      "How often a step's start velocity is projected, with "
-                      "the same matrix: 2 or 3 take the noise out of the "
-                      "pressure of small steps, which grows as dt^-1/2 [-]",
-                      Patterns::Integer(1, 100));
     prm.leave_subsection();
   }
 

@@ -19,13 +19,11 @@ namespace seiche
   VelocityProjection<dim>::VelocityProjection(Assembler<dim>    &a,
                                               BlockMatrix<dim>  &m,
                                               LinearSolver<dim> &s,
-                                              const double       t,
-                                              const unsigned int n)
+                                              const double       t)
     : assembler(a)
     , matrix(m)
     , solver(s)
     , tolerance(t)
-    , n_sweeps(n)
   {}
 
   template <int dim>
@@ -35,8 +33,7 @@ namespace seiche
                                  const Vector           &inertia_offset,
                                  const Vector           &rate_offset,
                                  BlockVector            &solution,
-                                 const double            reduction,
-                                 const bool              same_matrix)
+                                 const double            reduction)
   {
     // what walls prescribe is part of the residual, the rest is solved for
     state.solution = 0.;
@@ -51,11 +48,8 @@ namespace seiche
     BlockVector right_hand_side(state.solution), product(state.solution);
     right_hand_side.zero_out_ghost_values();
     assembler.residual(state, right_hand_side);
-    if (!same_matrix)
-      {
-        assembler.tangent(state, matrix);
-        solver.initialize(matrix, assembler, state.mass);
-      }
+    assembler.tangent(state, matrix);
+    solver.initialize(matrix, assembler, state.mass);
     matrix.vmult(product, solution);
     right_hand_side.sadd(-1., -1., product);
     BlockVector        update(state.solution);
@@ -96,56 +90,28 @@ namespace seiche
   {
     const double     dt = state.dt;
     StepCoefficients c;
-    c.dt      = dt;
-    c.theta   = 0.; // linear: no derivative of the configuration
-    c.inertia = 1. / (dt * dt);
-    c.rate    = 0.;
-    // with a finite bulk modulus the volume ratio is pressure, not error
-    c.volume_recovery = assembler.formulation.material.is_incompressible() ?
-                          step.volume_recovery :
-                          0.;
+    c.dt              = dt;
+    c.theta           = 0.; // linear: no derivative of the configuration
+    c.inertia         = 1. / (dt * dt);
+    c.rate            = 0.;
     c.rate_constraint = step.start_divergence * dt * dt;
-    c.viscous = c.body_force = c.damping = false;
+    c.viscous = c.body_force = c.elastic = false;
 
-    LinearResult result;
-    Vector       inertia_offset(state.velocity_start.get_partitioner());
-    Vector       impulse(state.reaction.get_partitioner()); // of all sweeps
-    BlockVector  guess(state.solution);
-    for (unsigned int sweep = 0; sweep < n_sweeps; ++sweep)
-      {
-        inertia_offset.zero_out_ghost_values();
-        inertia_offset.equ(-1. / dt, state.velocity_start);
-        inertia_offset.update_ghost_values();
-        // from dt v_n: what is left to solve for is its violation alone
-        guess = 0.;
-        guess.zero_out_ghost_values();
-        guess.block(0).equ(dt, state.velocity_start);
-        const LinearResult now = solve(state,
-                                       c,
-                                       inertia_offset,
-                                       state.velocity_start,
-                                       guess,
-                                       tolerance,
-                                       /*same_matrix=*/sweep > 0);
-        result.iterations += now.iterations;
-        if (sweep == 0)
-          {
-            result.converged = now.converged;
-            result.reduction = now.reduction;
-          }
-        else if (!now.converged)
-          break; // what the sweeps before have reached is good enough
-        if (with_reactions)
-          {
-            find_reactions(state, guess);
-            impulse += state.reaction;
-          }
-        state.velocity_start.zero_out_ghost_values();
-        state.velocity_start.equ(1. / dt, guess.block(0));
-        state.velocity_start.update_ghost_values();
-      }
-    if (with_reactions) // not what an unfinished sweep has left there
-      state.reaction = impulse;
+    Vector inertia_offset(state.velocity_start.get_partitioner());
+    inertia_offset.equ(-1. / dt, state.velocity_start);
+    inertia_offset.update_ghost_values();
+    // from dt v_n: what is left to solve for is its violation alone
+    BlockVector solution(state.solution);
+    solution = 0.;
+    solution.zero_out_ghost_values();
+    solution.block(0).equ(dt, state.velocity_start);
+    const LinearResult result = solve(
+      state, c, inertia_offset, state.velocity_start, solution, tolerance);
+    if (with_reactions)
+      find_reactions(state, solution);
+    state.velocity_start.zero_out_ghost_values();
+    state.velocity_start.equ(1. / dt, solution.block(0));
+    state.velocity_start.update_ghost_values();
     return result;
   }
 
@@ -161,8 +127,7 @@ namespace seiche
     c.theta           = 0.; // linear: no derivative of the configuration
     c.inertia         = 1. / (dt * dt);
     c.rate            = 0.;
-    c.volume_recovery = 0.;
-    c.damping         = false;
+    c.elastic         = false;
     c.rate_constraint = dt * dt;
 
     Vector zero(state.velocity_n.get_partitioner());

@@ -386,7 +386,7 @@ namespace seiche
       state.acceleration_n.update_ghost_values();
     if (parameters.is_consistent(occupancy.fe.degree))
       find_closest(points, state);
-    if (fill.rule == QuadratureRule::cut_cells)
+    if (fill.has_surface())
       extrapolate_velocity(points, occupancy, state);
     if (method.update == VelocityUpdate::fmpm ||
         method.update == VelocityUpdate::xpic)

@@ -71,7 +71,7 @@ namespace seiche
           if (occupancy.degree(cell) != degree)
             continue;
           u.gather(state.displacement().begin(), occupancy, cell);
-          const double      gauss           = fill.gauss_weight(cell);
+          const bool        is_full         = fill.is_full(cell);
           double            shares[n_nodes] = {}, volume = 0., volume_then = 0.;
           const std::size_t end = points.first_point(cell + 1);
           for (std::size_t first = points.first_point(cell); first < end;
@@ -84,7 +84,7 @@ namespace seiche
                            n,
                            locator.lower_corner(cell),
                            locator.extent(cell));
-              if (gauss < 1.)
+              if (!is_full)
                 {
                   block.field_gradient(u, /*add_identity=*/true, F);
                   determinant_and_cofactors<dim>(F, det, cofactor);
@@ -94,15 +94,16 @@ namespace seiche
                   const double V =
                     arrays.volume_ratio[first + l] * initial[first + l];
                   volume += V;
-                  if (gauss < 1.)
+                  if (!is_full)
                     volume_then += V * det[l];
                   for (unsigned int a = 0; a < n_nodes; ++a)
                     shares[a] += (degree == 1 ? block.N[a][l] : equal) * V;
                 }
             }
           const double change =
-            gauss * middle.determinant_of(u, locator.extent(cell)) +
-            (volume > 0. ? (1. - gauss) * volume_then / volume : 1. - gauss);
+            is_full     ? middle.determinant_of(u, locator.extent(cell)) :
+            volume > 0. ? volume_then / volume :
+                          1.;
           double sums[n_nodes];
           for (unsigned int a = 0; a < n_nodes; ++a)
             sums[a] = change * shares[a];

@@ -112,12 +112,6 @@ def exact_adaptive(make, folder, ranks):
     exact(make(SCENE_ADAPTIVE, ranks), folder, ["statistics.csv"], ["0.13"])
 
 
-def exact_cut_cells(make, folder, ranks):
-    """The surface follows from the points alone."""
-    exact(make(SCENE_ADAPTIVE, ranks, ["Quadrature/Rule = cut cells"]), folder,
-          ["statistics.csv"], ["0.13"])
-
-
 def exact_box(make, folder, ranks):
     exact(make(SCENE_BOX, ranks), folder, ["statistics.csv"], ["0.07"])
 
@@ -282,7 +276,6 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_ml_2_ranks": (exact_ml, 2),
          "exact_error_control_2_ranks": (exact_error_control, 2),
          "exact_adaptive_2_ranks": (exact_adaptive, 2),
-         "exact_cut_cells_2_ranks": (exact_cut_cells, 2),
          "exact_box_2_ranks": (exact_box, 2),
          "exact_points": (exact_points, 1),
          "exact_points_2_ranks": (exact_points, 2),

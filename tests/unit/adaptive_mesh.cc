@@ -167,7 +167,7 @@ namespace
 
     Occupancy<dim> occupancy(locator, /*degree=*/1);
     occupancy.update(points);
-    Fill<dim> fill(occupancy, QuadratureRule::hybrid);
+    Fill<dim> fill(occupancy, QuadratureRule::cut_cells);
     fill.update(points);
     print("nodes ", occupancy.n_global_nodes());
     typename Occupancy<dim>::Vector values(occupancy.scalar_partitioner());

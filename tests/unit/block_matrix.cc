@@ -129,7 +129,7 @@ namespace
         grid, locator, points, /*gauss_in_full_cells=*/true);
       occupancy = std::make_unique<Occupancy<dim>>(locator, /*degree=*/1);
       occupancy->update(points);
-      fill = std::make_unique<Fill<dim>>(*occupancy, QuadratureRule::hybrid);
+      fill = std::make_unique<Fill<dim>>(*occupancy, QuadratureRule::cut_cells);
       fill->update(points);
     }
 

@@ -125,7 +125,7 @@ namespace
                                    /*gauss_in_full_cells=*/true);
     Occupancy<dim>      occupancy(locator, /*degree=*/2);
     occupancy.update(points);
-    Fill<dim> fill(occupancy, QuadratureRule::hybrid);
+    Fill<dim> fill(occupancy, QuadratureRule::cut_cells);
     fill.update(points);
     occupancy.set_linear(fill.linear_cells());
 

@@ -183,7 +183,7 @@ namespace
     disturb(points);
     seiche::Occupancy<dim> occupancy(locator, /*degree=*/1);
     occupancy.update(points);
-    seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::hybrid);
+    seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::cut_cells);
     fill.update(points);
     seiche::PointControl<dim> control(parameters, points, occupancy, fill);
     report(points, fill);

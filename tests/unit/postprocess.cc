@@ -269,7 +269,7 @@ namespace
     fill_with_points(points);
     Occupancy<dim> occupancy(locator, 1);
     occupancy.update(points);
-    Fill<dim> fill(occupancy, QuadratureRule::hybrid);
+    Fill<dim> fill(occupancy, QuadratureRule::cut_cells);
     fill.update(points);
 
     const double    theta = 0.5;

@@ -138,7 +138,7 @@ namespace
       text << ", none light " << verdict(lightest > 0.149 * place);
     if (truth.distance)
       {
-        seiche::Occupancy<dim> occupancy(locator, 1, /*with_neighbors=*/true);
+        seiche::Occupancy<dim> occupancy(locator, 1);
         seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::cut_cells);
         occupancy.update(points);
         fill.update(points);

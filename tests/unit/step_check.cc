@@ -34,7 +34,7 @@ namespace
     seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
     Occupancy<dim> occupancy(locator, degree);
     occupancy.update(points);
-    Fill<dim> fill(occupancy, QuadratureRule::hybrid);
+    Fill<dim> fill(occupancy, QuadratureRule::cut_cells);
     fill.update(points);
     const Transfer<dim> transfer(parameters, fill, 1000., /*mean=*/false);
     GridState<dim>      state;

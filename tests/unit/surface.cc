@@ -52,8 +52,7 @@ namespace
       y[p] = std::max(y[p] + rise * h, 1e-6);
     points.locate();
     seiche::Occupancy<dim> occupancy(locator,
-                                     /*degree=*/1,
-                                     /*with_neighbors=*/true);
+                                     /*degree=*/1);
     seiche::Fill<dim>      fill(occupancy, seiche::QuadratureRule::cut_cells);
     occupancy.update(points);
     fill.update(points);
@@ -109,8 +108,7 @@ namespace
       0.853;
     points.locate();
     seiche::Occupancy<dim> occupancy(locator,
-                                     /*degree=*/1,
-                                     /*with_neighbors=*/true);
+                                     /*degree=*/1);
     seiche::Fill<dim>      fill(occupancy, seiche::QuadratureRule::cut_cells);
     occupancy.update(points);
     fill.update(points);

@@ -42,8 +42,6 @@ namespace
         stepper.is_accurate(/*error=*/1e-6, same);
         stepper.accept();
         std::cout << ' ' << dt;
-        if (dt != 1.)
-          std::cout << " (share " << stepper.share() << ')';
       }
     std::cout << '\n';
   }
@@ -135,7 +133,7 @@ namespace
         if (std::string(error.what()).find("Try this.") == std::string::npos)
           std::cout << "no advice: ";
         std::cout << control << " from " << begin << ": gives up after "
-                  << failures << " failures, share " << stepper.share() << '\n';
+                  << failures << " failures" << '\n';
       }
   }
 } // namespace

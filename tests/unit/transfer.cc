@@ -189,7 +189,7 @@ namespace
       seiche::MeshAdaptation<dim>(grid, locator, points, /*gauss=*/true);
     seiche::Occupancy<dim> occupancy(locator, degree);
     occupancy.update(points);
-    seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::hybrid);
+    seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::cut_cells);
     fill.update(points);
     seiche::GridState<dim> state;
     state.reinit(occupancy,

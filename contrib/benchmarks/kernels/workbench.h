@@ -58,14 +58,12 @@ struct Workbench : ParsedScene<dim>
     , points(locator,
              seiche::Transfer<dim>::columns(scene.transfer),
              MPI_COMM_WORLD)
-    , occupancy(locator,
-                scene.formulation.degree,
-                scene.quadrature.reaches_neighbors())
+    , occupancy(locator, scene.formulation.degree)
     , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
     , quadrature(seiche::make_quadrature(points,
                                          fill,
                                          scene.fluid.density,
-                                         seiche::GaussRatio::one))
+                                         seiche::VolumeRatio::one))
     , body_force(scene.body_force, scene.input)
     , wall_motion(scene.grid, scene.input, scene.time.end_time)
     , wall_velocity(scene.grid, scene.input, scene.time.end_time)

@@ -6,11 +6,6 @@
 
 namespace seiche
 {
-  /// |J - 1| of a point that a step tries to recover at most [-]: drops far
-  /// off (J between 0.15 and 4 after a splash) would otherwise ask for an
-  /// increment that no step size makes small, and Newton fails.
-  constexpr double largest_volume_error = 0.25;
-
   /**
    * @brief Volumetric strain phi(J) of the pressure law p = -kappa phi(J).
    *

@@ -32,7 +32,6 @@ namespace seiche
     dealii::Tensor<1, dim> extent;              ///< edge lengths [m]
     double                 size        = 0.;    ///< |K|^(1/dim) [m]
     bool                   lumped      = false; ///< inertia at the nodes
-    bool                   sliver      = false; ///< averaged tau1 term
     double                 start_speed = 0.;    ///< |v_0| at the centre [m/s]
     double extent_inertia = 0.; ///< of the points' own extent [kg], see
                                 ///< formulation/point_inertia.h

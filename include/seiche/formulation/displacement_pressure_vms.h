@@ -45,18 +45,6 @@ namespace seiche
     template <int degree>
     void
     add_tangent(CellData<dim, degree> &cell) const;
-
-    /// The tau1 term of a sliver cell: Gauss points that share the cell's
-    /// volume; body force and inertia by cell mean (one point alone would
-    /// leave an hourglass mode in the pressure).
-    template <int degree>
-    void
-    sliver_residual(CellData<dim, degree> &cell,
-                    const double           tau_momentum) const;
-    template <int degree>
-    void
-    sliver_tangent(CellData<dim, degree> &cell,
-                   const double           tau_momentum) const;
   };
 } // namespace seiche
 

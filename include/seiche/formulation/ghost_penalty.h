@@ -15,12 +15,9 @@ namespace seiche
   /// prm entries of subsection "Free surface".
   struct FreeSurfaceParameters
   {
-    double acceleration     = 0.1;  // gamma_a
-    double pressure         = 0.1;  // gamma_p
-    double velocity         = 0.1;  // gamma_v
-    double velocity_time    = 0.05; // T_v [s]
-    double point_inertia    = 1.;   // of the points' own extent
-    bool   sliver_treatment = true;
+    double acceleration  = 0.1; // gamma_a
+    double pressure      = 0.1; // gamma_p
+    double point_inertia = 1.;  // of the points' own extent
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -28,31 +25,27 @@ namespace seiche
     bool
     has_ghost_penalty() const
     {
-      return acceleration > 0. || pressure > 0. || velocity > 0.;
+      return acceleration > 0. || pressure > 0.;
     }
   };
 
   /**
    * @brief Coefficients of the ghost penalty on one face of a cut cell (Burman
    * 2010; Coombs 2023; doc/theory.md): jumps of normal derivatives of
-   * acceleration, pressure and, on thin cells, velocity. All terms share the
-   * face's matrix B (GhostFaceMatrix).
+   * acceleration and pressure. Both terms share the face's matrix B
+   * (GhostFaceMatrix).
    */
   struct GhostCoefficients
   {
     double acceleration = 0.; ///< gamma_a rho h^3: R_u += . B a
-    double velocity     = 0.; ///< gamma_v rho h^3/T_v, thin faces: R_u += . B v
     double pressure     = 0.; ///< gamma_p tau1 h: R_p += . B p
   };
 
-  /// @p damping false leaves out the velocity term (projection of v_0).
   GhostCoefficients
   ghost_coefficients(const FreeSurfaceParameters &parameters,
-                     const GhostFace             &face,
                      const double                 h,
                      const double                 density,
-                     const double                 tau_momentum,
-                     const bool                   damping);
+                     const double                 tau_momentum);
 } // namespace seiche
 
 #endif

@@ -39,17 +39,12 @@ namespace seiche
                   const ResidualParts                  &residual_parts)
       : parts(residual_parts)
     {
-      const auto &quadrature = cell.quadrature;
-      // weights use the relaxed J, never the drifted one
-      using std::max, std::min; // or those of lanes
-      Number error = cell.coefficients.volume_recovery *
-                     (load<Number>(&quadrature.volume_ratio[q]) - 1.);
-      if (material.is_incompressible()) // else J carries the pressure
-        error = min(max(error, Number(-largest_volume_error)),
-                    Number(largest_volume_error));
-      const Number J_n = 1. + error;
-      volume_n         = J_n * load<Number>(&quadrature.volume[q]);
-      volume_t         = point.det_t * volume_n;
+      const auto  &quadrature = cell.quadrature;
+      const Number J_n        = cell.coefficients.elastic ?
+                                  load<Number>(&quadrature.volume_ratio[q]) :
+                                  Number(1.);
+      volume_n                = J_n * load<Number>(&quadrature.volume[q]);
+      volume_t                = point.det_t * volume_n;
       const VolumeStrain<Number> strain(material.volume_law,
                                         cell.coefficients.elastic_time,
                                         J_n,

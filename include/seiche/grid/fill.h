@@ -16,15 +16,13 @@ namespace seiche
     unsigned int lower;     ///< local cell on the lower side
     unsigned int upper;     ///< local cell on the upper side
     unsigned int direction; ///< of the normal
-    bool         thin;      ///< one of the cells is thin
   };
 
   /// Rules of the weak forms' quadrature.
   enum class QuadratureRule
   {
-    material_points, ///< the points
-    hybrid,          ///< Gauss points in full cells, points near the surface
-    cut_cells        ///< the inside of a level set, and points of fragments
+    cut_cells,      ///< the inside of a level set, and points of fragments
+    material_points ///< the points
   };
 
   /// What of a point fills the grid.
@@ -58,6 +56,13 @@ namespace seiche
     void
     update(const PointCloud<dim> &points);
 
+    /// False with material points.
+    bool
+    has_surface() const
+    {
+      return free_surface != nullptr;
+    }
+
     /// With cut cells.
     const Surface<dim> &
     surface() const
@@ -73,40 +78,29 @@ namespace seiche
       return has_loose[cell] ? &loose[points.first_point(cell)] : nullptr;
     }
 
-    /// Weight of the Gauss points in a cell, [0,1]; points weigh 1 - w. Own
-    /// and ghost cells, as the next three.
+    /// Share of a cell that is inside the surface [0,1]: the weight of its
+    /// Gauss points; 0 with material points. Own and ghost cells.
     double
-    gauss_weight(const unsigned int cell) const
+    inside_share(const unsigned int cell) const
     {
-      return weight[cell];
+      return has_surface() ? surface().inside_share(cell) : 0.;
     }
 
+    /// True if the inside fills the cell, whose quadrature are Gauss points
+    /// then. Own and ghost cells.
+    bool
+    is_full(const unsigned int cell) const
+    {
+      return inside_share(cell) == 1.;
+    }
+
+    /// True if the free surface passes through the cell, or beside it: it is
+    /// occupied and the inside does not fill it (material points: a vertex
+    /// neighbour inside the domain is not occupied). Own and ghost cells.
     bool
     is_cut(const unsigned int cell) const
     {
-      return flags[cell] & cut;
-    }
-
-    bool
-    is_thin(const unsigned int cell) const
-    {
-      return flags[cell] & thin;
-    }
-
-    bool
-    is_sliver(const unsigned int cell) const
-    {
-      return flags[cell] & sliver;
-    }
-
-    /// Where the acceleration's gradient means little: impacts gain energy by
-    /// it, and in spray it is noise.
-    bool
-    is_rough(const unsigned int cell) const
-    {
-      return rule == QuadratureRule::cut_cells ?
-               is_cut(cell) :
-               is_thin(cell) || is_sliver(cell);
+      return cut[cell];
     }
 
     /// Own cells on which elements of degree 2 are multilinear: at the surface
@@ -117,10 +111,11 @@ namespace seiche
       return linear;
     }
 
-    /// Second moments of the points' own extent in an own cell: (1 - w) s^2/12
-    /// of its fill [-]. A point is taken as a box of the cell's shape with s
-    /// times its edges, so that it holds the mean volume of the cell's points;
-    /// s is 1 at most.
+    /// Second moments of the own extent of the points that the surface does not
+    /// represent (all with material points), in an own cell: s^2/12 of their
+    /// share of its volume [-]. A point is taken as a box of the cell's shape
+    /// with s times its edges, so that it holds the mean volume of the cell's
+    /// points; s is 1 at most.
     double
     extent_moment(const unsigned int cell) const
     {
@@ -134,8 +129,8 @@ namespace seiche
       return fill[cell];
     }
 
-    /// sum N_I V over the node's full volume, N_I of FE_Q(1); own and ghost
-    /// nodes, zero where no vertex lies.
+    /// sum N_I V over the node's full volume, N_I of FE_Q(1) averaged over the
+    /// points' boxes; own and ghost nodes, zero where no vertex lies.
     const Vector &
     nodal_fill() const
     {
@@ -157,23 +152,9 @@ namespace seiche
       return overfull;
     }
 
-    Occupancy<dim>      &occupancy;
-    const QuadratureRule rule;
+    Occupancy<dim> &occupancy;
 
   private:
-    enum Flag : unsigned char
-    {
-      cut = 1,    ///< occupied, and a vertex neighbour inside the domain is
-                  ///< not, or the fluid has left a unilateral wall
-      thin   = 2, ///< cut, and point volume below 0.7 of the cell
-      sliver = 4  ///< weight below one, and point volume below 0.3
-    };
-
-    /// True if a unilateral wall of the cell has little fluid beside it: it
-    /// has left the wall, and has a surface there. [nodes_per_cell()]
-    bool
-    is_detached(const unsigned int cell, const double *at_nodes) const;
-
     /// Volumes of the points.
     const double *
     volumes(const PointCloud<dim> &points) const
@@ -186,11 +167,6 @@ namespace seiche
     void
     find_current_volumes(const PointCloud<dim> &points);
 
-    /// Add the hats' values at a cell's points, times their volume, to the
-    /// nodal fill.
-    void
-    add_values(const PointCloud<dim> &points, const unsigned int cell);
-
     /// Nodal fill, cell fill and the share of the fluid where there is too
     /// much.
     void
@@ -200,17 +176,10 @@ namespace seiche
     void
     find_surface(const PointCloud<dim> &points);
 
-    /// What the weak forms' points weigh in a cell.
-    struct Content
-    {
-      bool   is_cut;
-      double gauss_weight;
-      double loose;       ///< volume of material points over the cell's
-      double volume;      ///< of all over the cell's
-      bool   is_fragment; ///< hardly more than material points
-    };
-    Content
-    content(const unsigned int cell, const PointCloud<dim> &points) const;
+    /// Volume of the points in an own cell that the surface does not represent,
+    /// over the cell's.
+    double
+    loose_volume(const unsigned int cell, const PointCloud<dim> &points) const;
 
     bool
     touches_unoccupied(const unsigned int cell) const;
@@ -219,8 +188,6 @@ namespace seiche
     classify(const PointCloud<dim> &points);
     void
     collect_ghost_faces();
-    void
-    collect_linear_cells(const PointCloud<dim> &points);
 
     const FilledVolume                  filled;
     const PointBoxes<dim>               boxes;
@@ -228,8 +195,8 @@ namespace seiche
     const std::unique_ptr<Surface<dim>> free_surface;    ///< with cut cells
     std::vector<double>                 loose;           ///< of the points
     std::vector<char>                   has_loose;       ///< own cells
-    std::vector<double>                 weight, fill, extent_moments;
-    std::vector<unsigned char>          flags;
+    std::vector<double>                 fill, extent_moments;
+    std::vector<char>                   cut; ///< own and ghost cells
     std::vector<char>                   linear;
     Vector                              node_fill;
     std::vector<GhostFace>              faces;

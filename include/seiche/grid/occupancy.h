@@ -23,12 +23,12 @@ namespace seiche
   /**
    * @brief The occupied part of the grid and its compact numbering of nodes.
    *
-   * A cell is occupied if it holds a point, active if it is occupied or
-   * shares a vertex with an occupied cell at the time of numbering (the
+   * A cell is occupied if it holds a point, active if it is occupied or at
+   * most two cells away from an occupied one at the time of numbering (the
    * halo). Only nodes of active cells exist for vectors, matrices and
-   * solvers; the numbering lives until a point leaves the active cells. All
-   * fields share the nodes: component c of node i of a vector field is entry
-   * dim*i + c. Local node indices: own nodes first, then ghosts. Hanging
+   * solvers; the numbering lives until a point comes to the edge of the halo.
+   * All fields share the nodes: component c of node i of a vector field is
+   * entry dim*i + c. Local node indices: own nodes first, then ghosts. Hanging
    * nodes are no unknowns; their masters may lie on cells without fluid.
    *
    * The full numbering of the DoFHandler is known to this class alone.
@@ -41,11 +41,7 @@ namespace seiche
 
     static constexpr unsigned int invalid = static_cast<unsigned int>(-1);
 
-    /// @p with_neighbors: the nodes of all vertex neighbours of occupied cells
-    /// exist, as points near a face need if they stand for boxes.
-    Occupancy(const CellLocator<dim> &locator,
-              const unsigned int      degree,
-              const bool              with_neighbors = false);
+    Occupancy(const CellLocator<dim> &locator, const unsigned int degree);
 
     /// Number the full mesh; after each change of the mesh. Collective.
     void
@@ -400,7 +396,6 @@ namespace seiche
     std::vector<char>
     find_used_nodes() const;
 
-    const bool                      with_neighbors;
     dealii::DoFHandler<dim>         dof_handler;
     HangingNodes<dim>               hanging_nodes;
     LinearCells<dim>                linear_cells;  // FE_Q(2)

@@ -23,14 +23,15 @@ namespace seiche
    */
   struct StepCoefficients
   {
-    double dt              = 0.; ///< [s]
-    double theta           = 1.; ///< [-]
-    double inertia         = 0.; ///< [1/s^2]
-    double rate            = 0.; ///< [1/s]
-    double volume_recovery = 1.; ///< [-] theta_J: doc/notation.md
-    bool   viscous         = true;
-    bool   body_force      = true;
-    bool   damping         = true; ///< ghost penalty on velocity jumps
+    double dt         = 0.; ///< [s]
+    double theta      = 1.; ///< [-]
+    double inertia    = 0.; ///< [1/s^2]
+    double rate       = 0.; ///< [1/s]
+    bool   viscous    = true;
+    bool   body_force = true;
+    /// The points' volume ratio counts, in which a finite bulk modulus keeps
+    /// the pressure.
+    bool elastic = true;
     /// [-] div v_0 = this dt tr(l l) fits the scheme: v_0 and v_1 then have the
     /// same divergence in their own configurations (doc/theory.md).
     double start_divergence = 0.;

@@ -80,7 +80,7 @@ namespace seiche
   /// prm entries of subsection "Quadrature".
   struct QuadratureParameters
   {
-    std::string rule = "hybrid";
+    std::string rule = "cut cells";
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -88,16 +88,10 @@ namespace seiche
     QuadratureRule
     value() const;
 
-    /// Gauss points in full cells?
+    /// Is the inside of a free surface integrated, which may reach into cells
+    /// without points?
     bool
-    gauss_in_full_cells() const
-    {
-      return value() != QuadratureRule::material_points;
-    }
-
-    /// May cells beside those that hold points belong to the fluid?
-    bool
-    reaches_neighbors() const
+    has_surface() const
     {
       return value() == QuadratureRule::cut_cells;
     }
@@ -117,10 +111,11 @@ namespace seiche
     get(const unsigned int cell, CellQuadrature<dim> &quadrature) const = 0;
   };
 
-  /// Volume ratio J_n of the Gauss points of a cell.
-  enum class GaussRatio
+  /// Volume ratio J_n of quadrature points. Material points have their own one
+  /// if it is not one.
+  enum class VolumeRatio
   {
-    one,  ///< the fluid is incompressible
+    one,  ///< the fluid is incompressible: J is an error of the points' motion
     mean, ///< V0-weighted mean of the cell's points
     /// linear fit to the cell's points, for volumes that follow nodal means: of
     /// second order. With volumes that follow the points' own gradients, whose
@@ -129,17 +124,16 @@ namespace seiche
     linear
   };
 
-  /// Makes fill.rule: material points (the founding paper's), hybrid (Gauss
-  /// points in full cells, both in cells near the surface, weighted by Fill) or
-  /// cut cells (the inside of Fill::surface(), and its loose points). @p ratio:
-  /// what points have as volume_ratio that are no material ones. References
-  /// must outlive the object.
+  /// Makes fill.rule: cut cells (the inside of Fill::surface(), and its loose
+  /// points) or material points (the founding paper's). @p ratio: what points
+  /// have as volume_ratio that are no material ones. References must outlive
+  /// the object.
   template <int dim>
   std::unique_ptr<Quadrature<dim>>
   make_quadrature(const PointCloud<dim> &points,
                   const Fill<dim>       &fill,
                   const double           density,
-                  const GaussRatio       ratio);
+                  const VolumeRatio      ratio);
 } // namespace seiche
 
 #endif

@@ -68,8 +68,7 @@ namespace seiche
     FormulationParameters                 formulation;
     QuadratureParameters                  quadrature;
     FreeSurfaceParameters                 free_surface;
-    double                                volume_relaxation_time = 0.; // [s]
-    std::string                           volume_update          = "automatic";
+    std::string                           volume_update = "automatic";
     TimeStepParameters                    time;
     TimeSchemeParameters                  time_scheme;
     TransferParameters                    transfer;

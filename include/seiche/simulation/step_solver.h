@@ -51,15 +51,11 @@ namespace seiche
     /**
      * One attempt at the step of state.time and state.dt; empty, or why it
      * failed. @p projects: whether the start velocity is to satisfy the
-     * constraint; @p share: of the volume error that the step may recover [-];
-     * @p is_repeated: not the step's first attempt, so that Newton may take its
-     * time. Collective.
+     * constraint; @p is_repeated: not the step's first attempt, so that Newton
+     * may take its time. Collective.
      */
     std::string
-    solve(GridState<dim> &state,
-          const bool      projects,
-          const double    share,
-          const bool      is_repeated);
+    solve(GridState<dim> &state, const bool projects, const bool is_repeated);
 
     /// True if walls move and so may give energy to the fluid.
     bool
@@ -88,10 +84,6 @@ namespace seiche
     wall_way(const double time, const double dt) const;
 
   private:
-    /// Of a step of size @p dt.
-    StepCoefficients
-    step_coefficients(const double dt, const double share) const;
-
     /// Why the walls forbid the step; empty: they do not. NumericalError if no
     /// smaller step would help.
     std::string

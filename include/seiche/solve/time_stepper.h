@@ -18,16 +18,15 @@ namespace seiche
   /// prm entries of the step size (subsection "Time").
   struct TimeStepParameters
   {
-    double       end_time             = 0.;
-    double       step                 = 1.;
-    std::string  control              = "fixed";
-    double       cfl                  = 0.4;
-    double       error_tolerance      = 0.01;
-    double       minimum_step         = 0.;
-    double       maximum_displacement = 1.;
-    std::string  failing_steps        = "repeated";
-    std::string  projection           = "each step";
-    unsigned int projection_sweeps    = 1;
+    double      end_time             = 0.;
+    double      step                 = 1.;
+    std::string control              = "fixed";
+    double      cfl                  = 0.4;
+    double      error_tolerance      = 0.01;
+    double      minimum_step         = 0.;
+    double      maximum_displacement = 1.;
+    std::string failing_steps        = "repeated";
+    std::string projection           = "each step";
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -122,15 +121,6 @@ namespace seiche
     error() const
     {
       return error_sum;
-    }
-    /// Share of the points' volume error that the step recovers without a
-    /// relaxation time: 1, after failures the share of the size that is tried;
-    /// with a controlled error the step's share of the size that Step and CFL
-    /// number allow, or recovery would drive ever smaller steps ever faster.
-    double
-    share() const
-    {
-      return parameters.controls_error() ? std::min(1., dt / limit) : reduction;
     }
     bool
     finished() const;

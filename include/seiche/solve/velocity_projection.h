@@ -13,17 +13,11 @@ namespace seiche
    *
    * One linear solve of the step's own system with C_a = 1/dt^2, no body
    * force, no viscosity, at u = p = 0, the ghost penalty on accelerations: v_0
-   * = u/dt (doc/theory.md, "Projection of the start velocity"). The volume
-   * that the step recovers is in v_0 already, or the step would need an impulse
-   * of order 1/dt for it. Forces stay in the configuration x_n (theta = 0): at
-   * u = 0 the subscale residual is rho v_0/dt, and its geometric derivative
-   * would add the convective acceleration to the constraint. Without it the
-   * midpoint scheme repeats every violation in v_0 with factor -rho_inf, which
-   * costs pressure noise 2 rho h dv/dt.
-   *
-   * The subscales and ghost penalties of the solve leave a part of a violation
-   * that is new in this step, and the step needs an impulse for it. Each
-   * further sweep projects what the one before has left, with its matrix.
+   * = u/dt (doc/theory.md, "Projection of the start velocity"). Forces stay in
+   * the configuration x_n (theta = 0): at u = 0 the subscale residual is rho
+   * v_0/dt, and its geometric derivative would add the convective acceleration
+   * to the constraint. Without it the midpoint scheme repeats every violation
+   * in v_0 with factor -rho_inf, which costs pressure noise 2 rho h dv/dt.
    */
   template <int dim>
   class VelocityProjection
@@ -33,8 +27,7 @@ namespace seiche
     VelocityProjection(Assembler<dim>    &assembler,
                        BlockMatrix<dim>  &matrix,
                        LinearSolver<dim> &solver,
-                       const double       tolerance,
-                       const unsigned int n_sweeps);
+                       const double       tolerance);
 
     /// A projection that stops early but has reduced the violation this much
     /// may be used: the step deals with the rest, and a shorter step would not
@@ -65,15 +58,14 @@ namespace seiche
 
     /// Solve the system that is linear about u = p = 0, starting from
     /// @p solution, until the residual has fallen by @p reduction. Components
-    /// that walls fix keep their value. @p same_matrix: as in the last call.
+    /// that walls fix keep their value.
     LinearResult
     solve(GridState<dim>         &state,
           const StepCoefficients &coefficients,
           const Vector           &inertia_offset,
           const Vector           &rate_offset,
           BlockVector            &solution,
-          const double            reduction,
-          const bool              same_matrix = false);
+          const double            reduction);
 
     /// state.reaction of the system that solve() has solved, linear about u =
     /// p = 0 as it is.
@@ -84,7 +76,6 @@ namespace seiche
     BlockMatrix<dim>  &matrix;
     LinearSolver<dim> &solver;
     const double       tolerance;
-    const unsigned int n_sweeps;
   };
 } // namespace seiche
 

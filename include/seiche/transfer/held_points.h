@@ -2,7 +2,6 @@
 #ifndef seiche_transfer_held_points_h
 #define seiche_transfer_held_points_h
 
-#include <seiche/constitutive/volume_law.h>
 #include <seiche/transfer/point_block.h>
 #include <seiche/transfer/wall_faces.h>
 
@@ -14,6 +13,10 @@ namespace seiche
   /// det(I + grad u) of a step, and of half of it, that no point may fall
   /// below: a cell folds over soon.
   constexpr double least_det_F = 0.2;
+
+  /// |J - 1| of a point that is held, at most [-]: drops far off would ask for
+  /// an increment that no step size makes small.
+  constexpr double largest_volume_error = 0.25;
 
   /**
    * @brief Bounds of what points do in steps that are accepted although they
