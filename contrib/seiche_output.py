@@ -113,7 +113,7 @@ class Run:
         return names
 
     def frames(self, kind):
-        """[(time in s, file)] of kind "points" or "grid", from the PVD file."""
+        """[(time in s, file)] of kind "points", "grid" or "surface", from the PVD file."""
         if not os.path.isfile(self._path(kind + ".pvd")):
             return []
         root = ElementTree.parse(self._path(kind + ".pvd")).getroot()

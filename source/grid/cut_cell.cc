@@ -9,7 +9,7 @@ namespace seiche
   using namespace dealii;
 
   template <int dim>
-  CutCell<dim>::CutCell(const Values &values)
+  CutCell<dim>::CutCell(const VertexValues<dim> &values)
   {
     const bool any = std::any_of(values.begin(), values.end(), [](double v) {
       return v < 0.;
@@ -28,56 +28,13 @@ namespace seiche
           }
       }
     else if (any)
-      divide(values);
+      for (const CellSimplex<dim> &simplex : cell_simplices<dim>(values))
+        add_negative(simplex);
   }
 
   template <int dim>
   void
-  CutCell<dim>::divide(const Values &values)
-  {
-    const auto mean = [&](const auto &chosen, auto &point) {
-      double       value = 0.;
-      unsigned int n     = 0;
-      point              = Point<dim>();
-      for (unsigned int v = 0; v < n_vertices; ++v)
-        if (chosen(v))
-          {
-            value += values[v];
-            point += GeometryInfo<dim>::unit_cell_vertex(v);
-            ++n;
-          }
-      point /= n;
-      return value / n;
-    };
-    Simplex simplex;
-    // the cell's centre, then (3D) the face's, then the edge
-    simplex.values[0] =
-      mean([](unsigned int) { return true; }, simplex.vertices[0]);
-    for (const unsigned int face : GeometryInfo<dim>::face_indices())
-      {
-        const auto on_face = [&](const unsigned int v) {
-          return ((v >> (face / 2)) & 1u) == face % 2;
-        };
-        if constexpr (dim == 3)
-          simplex.values[1] = mean(on_face, simplex.vertices[1]);
-        for (unsigned int v = 0; v < n_vertices; ++v)
-          for (unsigned int d = 0; d < dim; ++d)
-            if (const unsigned int w = v | (1u << d);
-                w != v && on_face(v) && on_face(w))
-              {
-                simplex.vertices[dim - 1] =
-                  GeometryInfo<dim>::unit_cell_vertex(v);
-                simplex.vertices[dim] = GeometryInfo<dim>::unit_cell_vertex(w);
-                simplex.values[dim - 1] = values[v];
-                simplex.values[dim]     = values[w];
-                add_negative(simplex);
-              }
-      }
-  }
-
-  template <int dim>
-  void
-  CutCell<dim>::add_negative(const Simplex &simplex)
+  CutCell<dim>::add_negative(const CellSimplex<dim> &simplex)
   {
     const auto &values = simplex.values;
     const auto  inside =
@@ -98,7 +55,7 @@ namespace seiche
       t * (simplex.vertices[outside] - simplex.vertices[inside]);
     for (const auto replaced : {outside, inside})
       {
-        Simplex part            = simplex;
+        CellSimplex<dim> part   = simplex;
         part.vertices[replaced] = x;
         part.values[replaced]   = 0.;
         add_negative(part);
@@ -107,7 +64,7 @@ namespace seiche
 
   template <int dim>
   void
-  CutCell<dim>::add(const Simplex &simplex)
+  CutCell<dim>::add(const CellSimplex<dim> &simplex)
   {
     Tensor<2, dim> edges;
     Tensor<1, dim> total = simplex.vertices[0] - Point<dim>();

@@ -138,16 +138,37 @@ namespace seiche
                        const unsigned int               cell,
                        typename Occupancy<dim>::Vector &sums) const
   {
-    const auto &locator = occupancy.locator;
-    Integrals   integrals;
+    using Shape                    = TensorShape<dim, 1>;
+    const auto            &locator = occupancy.locator;
+    constexpr unsigned int here    = n_sides / 2;
+    Integrals              integrals;
+    integrals.exists[here] = true;
+    integrals.holder[here] = cell;
+    auto &of_vertices      = integrals.of_vertices[here];
+    of_vertices.fill(0.);
+    double ratio = 0., edge = 0.;
     for (std::size_t p = points.first_point(cell);
          p < points.first_point(cell + 1);
          ++p)
       {
-        const Point<dim> unit  = locator.to_unit(cell, points.position(p));
-        const double     ratio = volume[p] / locator.measure(cell);
-        const double     edge =
-          std::min(1., dim == 2 ? std::sqrt(ratio) : std::cbrt(ratio));
+        const Point<dim> unit = locator.to_unit(cell, points.position(p));
+        if (const double now = volume[p] / locator.measure(cell); now != ratio)
+          {
+            ratio = now; // mostly that of the point before
+            edge = std::min(1., dim == 2 ? std::sqrt(ratio) : std::cbrt(ratio));
+          }
+        bool is_inside = true; // the mean of a hat is its value at the centre
+        for (unsigned int d = 0; d < dim; ++d)
+          is_inside =
+            is_inside && std::abs(unit[d] - 0.5) <= 0.5 * (1. - edge) + 1e-12;
+        if (is_inside)
+          {
+            double N[Shape::n_nodes];
+            Shape::values(unit, N);
+            for (unsigned int v = 0; v < Shape::n_nodes; ++v)
+              of_vertices[v] += N[v] * volume[p];
+            continue;
+          }
         std::array<Part, 2> along[dim];
         unsigned int        n[dim], n_parts = 1;
         for (unsigned int d = 0; d < dim; ++d)

@@ -28,16 +28,16 @@ namespace seiche
   void
   Shifting<dim>::mark_surface()
   {
+    // marks of own cells, added: an owner may not see a cell with a hanging node
+    // whose master is its own
     inside.reinit(occupancy.scalar_partitioner());
-    for (unsigned int i = 0; i < occupancy.n_local_nodes(); ++i)
-      inside.local_element(i) = 1.;
-    for (unsigned int cell = 0; cell < occupancy.locator.n_cells(); ++cell)
+    for (const unsigned int cell : occupancy.occupied_cells())
       if (fill.is_cut(cell))
         for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          inside.local_element(occupancy.cell_nodes(cell)[a]) = 0.;
-    // an owner sees all cells around its nodes, a ghost's copy may not: the
-    // master of a hanging node lies beyond the coarse neighbour
-    inside.zero_out_ghost_values();
+          inside.local_element(occupancy.cell_nodes(cell)[a]) = 1.;
+    inside.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      inside.local_element(i) = inside.local_element(i) > 0. ? 0. : 1.;
     inside.update_ghost_values();
   }
 

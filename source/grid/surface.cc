@@ -94,7 +94,7 @@ namespace seiche
   }
 
   template <int dim>
-  typename CutCell<dim>::Values
+  VertexValues<dim>
   Surface<dim>::level_in(const unsigned int cell) const
   {
     double              at_nodes[HangingNodes<dim>::max_nodes];
@@ -102,7 +102,7 @@ namespace seiche
     for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
       at_nodes[a] = level.local_element(nodes[a]);
     occupancy.expand(cell, at_nodes);
-    typename CutCell<dim>::Values result;
+    VertexValues<dim> result;
     for (unsigned int v = 0; v < result.size(); ++v)
       result[v] = at_nodes[occupancy.vertex_node(v)];
     return result;

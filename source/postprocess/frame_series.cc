@@ -85,10 +85,12 @@ namespace seiche
     // VTK refuses a piece without cells: only ranks with data write one
     const std::vector<int> filled =
       Utilities::MPI::all_gather(communicator, data.patches.empty() ? 0 : 1);
+    if (std::find(filled.begin(), filled.end(), 1) == filled.end())
+      return; // nor a file without pieces
     std::vector<std::string> pieces;
     std::string              own_piece;
     for (unsigned int r = 0; r < n; ++r)
-      if (filled[r] || n == 1)
+      if (filled[r])
         {
           pieces.push_back(n == 1 ? stem + ".vtu" :
                                     fmt::format("{}.{:04d}.vtu", stem, r));
@@ -181,6 +183,10 @@ namespace seiche
   FrameSeries::write_vtu(const double, const FieldPatches<0, 2> &);
   template void
   FrameSeries::write_vtu(const double, const FieldPatches<0, 3> &);
+  template void
+  FrameSeries::write_vtu(const double, const FieldPatches<1, 2> &);
+  template void
+  FrameSeries::write_vtu(const double, const FieldPatches<2, 3> &);
   template void
   FrameSeries::write_vtu(const double, const FieldPatches<2, 2> &);
   template void

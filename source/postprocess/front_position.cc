@@ -5,7 +5,6 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace seiche
 {
@@ -13,8 +12,6 @@ namespace seiche
 
   namespace
   {
-    constexpr double lowest = -std::numeric_limits<double>::max();
-
     /// Integral over lower < x < upper of the hat that falls from 1 at x = @p
     /// top to 0 at the distance @p width.
     double
@@ -104,9 +101,10 @@ namespace seiche
                       /*has_to_be_set=*/true);
     prm.add_parameter("Width",
                       width,
-                      "Points within this distance on either side count, with "
-                      "weights that fall to zero there in the depth; 0: the "
-                      "smallest cell edge. [m]",
+                      "Of the points those within this distance on either "
+                      "side count: as spray, without cut cells as fluid, and "
+                      "in the depth with weights that fall to zero there; 0: "
+                      "the smallest cell edge. [m]",
                       Patterns::Double(0.));
   }
 
@@ -128,15 +126,19 @@ namespace seiche
   std::vector<std::string>
   GaugeParameters<dim>::columns() const
   {
-    return {"gauge " + name + " [m]", "depth " + name + " [m]"};
+    return {"gauge " + name + " [m]",
+            "depth " + name + " [m]",
+            "gauge " + name + " spray [m]"};
   }
 
   template <int dim>
   FrontPosition<dim>::FrontPosition(
-    const std::vector<FrontParameters<dim>> &parameters,
-    const BackgroundGrid<dim>               &grid)
+    const std::vector<FrontParameters<dim>>       &parameters,
+    const BackgroundGrid<dim>                     &grid,
+    const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent)
     : fronts(parameters)
     , box(grid.parameters)
+    , extent(fluid_extent)
   {}
 
   template <int dim>
@@ -144,40 +146,40 @@ namespace seiche
   FrontPosition<dim>::execute(const StepView<dim> &view,
                               StatisticsTable     &statistics)
   {
-    const double *height = view.points.data(PointColumn::position, dim - 1);
-    std::vector<double> extreme(fronts.size(), lowest);
-    for (unsigned int f = 0; f < fronts.size(); ++f)
+    const FluidExtent<dim> &fluid = extent->get(view);
+    std::vector<double>     reached; // by the fluid, by spray
+    for (const FrontParameters<dim> &front : fronts)
       {
-        const double *x =
-          view.points.data(PointColumn::position, fronts[f].axis());
-        const double sign  = fronts[f].sign();
-        const double least = // a bottom that moves may sink below its start
-          fronts[f].least_height > 0. ?
-            box.lower_corner[dim - 1] + fronts[f].least_height :
-            lowest;
-        for (std::size_t i = 0; i < view.points.size(); ++i)
-          if (height[i] >= least)
-            extreme[f] = std::max(extreme[f], sign * x[i]);
+        const double lowest = // a bottom that moves may sink below its start
+          front.least_height > 0. ?
+            box.lower_corner[dim - 1] + front.least_height :
+            fluid.none;
+        reached.push_back(fluid.farthest(front.axis(), front.sign(), lowest));
+        reached.push_back(
+          fluid.farthest_spray(front.axis(), front.sign(), lowest));
       }
-    maximum_over_ranks(extreme, view.points.communicator);
+    maximum_over_ranks(reached, view.points.communicator);
     for (unsigned int f = 0; f < fronts.size(); ++f)
       {
         const FrontParameters<dim> &front = fronts[f];
         const Point<dim>           &start =
           front.sign() > 0. ? box.lower_corner : box.upper_corner;
+        const double farthest =
+          reached[2 * f] == fluid.none ? reached[2 * f + 1] : reached[2 * f];
         statistics.set(front.columns()[0],
-                       extreme[f] == lowest ?
-                         start[front.axis()] :
-                         front.sign() * (extreme[f] + view.half_spacing));
+                       farthest == fluid.none ? start[front.axis()] :
+                                                front.sign() * farthest);
       }
   }
 
   template <int dim>
   WaterLevel<dim>::WaterLevel(
-    const std::vector<GaugeParameters<dim>> &parameters,
-    const BackgroundGrid<dim>               &grid)
+    const std::vector<GaugeParameters<dim>>       &parameters,
+    const BackgroundGrid<dim>                     &grid,
+    const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent)
     : gauges(parameters)
     , box(grid.parameters)
+    , extent(fluid_extent)
   {}
 
   template <int dim>
@@ -240,32 +242,17 @@ namespace seiche
   WaterLevel<dim>::execute(const StepView<dim> &view,
                            StatisticsTable     &statistics)
   {
-    std::vector<double> level(gauges.size(), lowest);
-    std::vector<double> depth(gauges.size(), 0.);
+    const FluidExtent<dim> &fluid = extent->get(view);
+    std::vector<double>     level; // of the fluid, of spray
+    std::vector<double>     depth(gauges.size(), 0.);
     for (unsigned int g = 0; g < gauges.size(); ++g)
       {
-        const double width =
+        const Point<dim> &place = gauges[g].position;
+        const double      width =
           gauges[g].width > 0. ? gauges[g].width : view.smallest_extent;
-        const double *height = view.points.data(PointColumn::position, dim - 1);
-        const double *volume = view.points.data(PointColumn::initial_volume);
-        std::array<const double *, dim - 1> x;
-        for (unsigned int d = 0; d + 1 < dim; ++d)
-          x[d] = view.points.data(PointColumn::position, d);
-        const Footprint foot = footprint(gauges[g].position, width);
-        for (std::size_t i = 0; i < view.points.size(); ++i)
-          {
-            double weight = 1.;
-            for (unsigned int d = 0; d + 1 < dim; ++d)
-              weight *= std::max(
-                0., 1. - std::abs(x[d][i] - gauges[g].position[d]) / width);
-            if (weight > 0.)
-              {
-                level[g] = std::max(level[g], height[i]);
-                if (is_over_obstacle(view.points.position(i)) ==
-                    foot.on_obstacle)
-                  depth[g] += weight * volume[i] / foot.area;
-              }
-          }
+        level.push_back(fluid.level(place, width));
+        level.push_back(fluid.spray_level(place, width));
+        depth[g] = mean_depth(view, place, width);
       }
     const MPI_Comm communicator = view.points.communicator;
     maximum_over_ranks(level, communicator);
@@ -274,12 +261,37 @@ namespace seiche
                         ArrayView<double>(depth.data(), depth.size()));
     for (unsigned int g = 0; g < gauges.size(); ++g)
       {
-        const auto columns = gauges[g].columns();
-        statistics.set(columns[0],
-                       level[g] == lowest ? box.lower_corner[dim - 1] :
-                                            level[g] + view.half_spacing);
+        const auto   columns = gauges[g].columns();
+        const double water =
+          level[2 * g] == fluid.none ? box.lower_corner[dim - 1] : level[2 * g];
+        statistics.set(columns[0], water);
         statistics.set(columns[1], depth[g]);
+        statistics.set(columns[2], std::max(water, level[2 * g + 1]));
       }
+  }
+
+  template <int dim>
+  double
+  WaterLevel<dim>::mean_depth(const StepView<dim> &view,
+                              const Point<dim>    &place,
+                              const double         width) const
+  {
+    const double *volume = view.points.data(PointColumn::initial_volume);
+    std::array<const double *, dim - 1> x;
+    for (unsigned int d = 0; d + 1 < dim; ++d)
+      x[d] = view.points.data(PointColumn::position, d);
+    const Footprint foot   = footprint(place, width);
+    double          result = 0.;
+    for (std::size_t i = 0; i < view.points.size(); ++i)
+      {
+        double weight = 1.;
+        for (unsigned int d = 0; d + 1 < dim; ++d)
+          weight *= std::max(0., 1. - std::abs(x[d][i] - place[d]) / width);
+        if (weight > 0. &&
+            is_over_obstacle(view.points.position(i)) == foot.on_obstacle)
+          result += weight * volume[i] / foot.area;
+      }
+    return result;
   }
 
   template struct FrontParameters<2>;

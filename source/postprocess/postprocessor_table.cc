@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
+#include <seiche/postprocess/alarms.h>
 #include <seiche/postprocess/error_norms.h>
 #include <seiche/postprocess/front_position.h>
 #include <seiche/postprocess/grid_output.h>
 #include <seiche/postprocess/mass_and_energy.h>
+#include <seiche/postprocess/mean_level.h>
 #include <seiche/postprocess/point_output.h>
 #include <seiche/postprocess/point_series.h>
 #include <seiche/postprocess/postprocessor_table.h>
 #include <seiche/postprocess/probes.h>
+#include <seiche/postprocess/run_up.h>
 #include <seiche/postprocess/scores.h>
+#include <seiche/postprocess/surface_output.h>
 #include <seiche/postprocess/tracked_points.h>
 #include <seiche/postprocess/wall_forces.h>
 #include <seiche/scene/entry_values.h>
@@ -21,26 +25,28 @@ namespace seiche
 
   namespace
   {
-    /// prm entries of "Output" that choose frames.
-    struct FrameParameters
+    /// prm entries of "Output" that choose frames, and what has no name.
+    struct OutputParameters
     {
-      double interval = 0.; ///< [s], 0: no frames
-      bool   grid     = true;
-      bool   points   = true;
-      bool   series   = false;
+      double interval   = 0.; ///< [s], 0: no frames
+      bool   grid       = true;
+      bool   points     = true;
+      bool   surface    = true;
+      bool   series     = false;
+      bool   mean_level = false;
 
       void
       add_parameters(ParameterHandler &prm);
     };
 
     void
-    FrameParameters::add_parameters(ParameterHandler &prm)
+    OutputParameters::add_parameters(ParameterHandler &prm)
     {
       prm.enter_subsection("Output");
       prm.add_parameter("Interval",
                         interval,
-                        "Time between two frames of grid and points; 0: no "
-                        "frames. [s]",
+                        "Time between two frames of grid, points and surface; "
+                        "0: no frames. [s]",
                         Patterns::Double(0.));
       prm.add_parameter("Grid",
                         grid,
@@ -48,10 +54,18 @@ namespace seiche
       prm.add_parameter("Points",
                         points,
                         "Write the points for ParaView (points.pvd).");
+      prm.add_parameter("Surface",
+                        surface,
+                        "Write the free surface for ParaView (surface.pvd); "
+                        "only with Quadrature/Rule = cut cells.");
       prm.add_parameter("Point series",
                         series,
                         "Write the points in full precision, one HDF5 file a "
                         "frame.");
+      prm.add_parameter("Mean level",
+                        mean_level,
+                        "Add the mean height of the free surface to the "
+                        "statistics.");
       prm.leave_subsection();
     }
 
@@ -106,6 +120,7 @@ namespace seiche
       : input(input_file)
       , fronts(find_instances<FrontParameters<dim>>(input_file))
       , gauges(find_instances<GaugeParameters<dim>>(input_file))
+      , run_ups(find_instances<RunUpParameters<dim>>(input_file))
       , probes(find_instances<ProbeParameters<dim>>(input_file))
       , tracks(find_instances<TrackedPointParameters<dim>>(input_file))
       , forces(find_instances<ForceParameters<dim>>(input_file))
@@ -119,9 +134,10 @@ namespace seiche
 
     const InputFile &input;
 
-    FrameParameters                          frames;
+    OutputParameters                         output;
     std::vector<FrontParameters<dim>>        fronts;
     std::vector<GaugeParameters<dim>>        gauges;
+    std::vector<RunUpParameters<dim>>        run_ups;
     std::vector<ProbeParameters<dim>>        probes;
     std::vector<TrackedPointParameters<dim>> tracks;
     std::vector<ForceParameters<dim>>        forces;
@@ -129,8 +145,10 @@ namespace seiche
     std::vector<ScoreParameters>             score_parameters;
 
     std::shared_ptr<NodalPressure<dim>>              pressure;
+    std::shared_ptr<FluidExtentOfStep<dim>>          extent;
     std::vector<std::unique_ptr<Postprocessor<dim>>> list;
     const MassAndEnergy<dim>                        *ledger = nullptr;
+    const Alarms<dim>                               *alarms = nullptr;
     std::vector<Score>                               scores;
   };
 
@@ -140,21 +158,24 @@ namespace seiche
     const std::string &directory,
     const MPI_Comm     communicator)
   {
-    if (directory.empty() || frames.interval == 0.)
+    if (directory.empty() || output.interval == 0.)
       return;
     const FrameSettings settings{directory,
-                                 frames.interval,
+                                 output.interval,
                                  entry_values::number(input,
                                                       "Time/End time",
                                                       input.value(
                                                         "Time/End time"))};
-    if (frames.grid)
+    if (output.grid)
       list.push_back(
         std::make_unique<GridOutput<dim>>(settings, pressure, communicator));
-    if (frames.points)
+    if (output.points)
       list.push_back(
         std::make_unique<PointOutput<dim>>(settings, communicator));
-    if (frames.series)
+    if (output.surface)
+      list.push_back(
+        std::make_unique<SurfaceOutput<dim>>(settings, communicator));
+    if (output.series)
       list.push_back(
         std::make_unique<PointSeries<dim>>(settings, communicator));
   }
@@ -171,9 +192,10 @@ namespace seiche
   void
   PostprocessorList<dim>::add_parameters(ParameterHandler &prm)
   {
-    implementation->frames.add_parameters(prm);
+    implementation->output.add_parameters(prm);
     declare(implementation->fronts, prm);
     declare(implementation->gauges, prm);
+    declare(implementation->run_ups, prm);
     declare(implementation->probes, prm);
     declare(implementation->tracks, prm);
     declare(implementation->forces, prm);
@@ -191,8 +213,11 @@ namespace seiche
     std::vector<std::string> columns = other_columns;
     for (const std::string &column : MassAndEnergy<dim>::columns())
       columns.push_back(column);
+    if (all.output.mean_level)
+      columns.emplace_back(MeanLevel<dim>::column);
     check_instances(all.fronts, all.input, grid, columns);
     check_instances(all.gauges, all.input, grid, columns);
+    check_instances(all.run_ups, all.input, grid, columns);
     check_instances(all.probes, all.input, grid, columns);
     check_instances(all.tracks, all.input, grid, columns);
     check_instances(all.forces, all.input, grid, columns);
@@ -211,17 +236,27 @@ namespace seiche
     all.list.clear();
     all.scores.clear();
     all.pressure = std::make_shared<NodalPressure<dim>>();
+    all.extent   = std::make_shared<FluidExtentOfStep<dim>>();
 
     auto ledger = std::make_unique<MassAndEnergy<dim>>(grid);
     all.ledger  = ledger.get();
     all.list.push_back(std::move(ledger));
+    auto alarms = std::make_unique<Alarms<dim>>();
+    all.alarms  = alarms.get();
+    all.list.push_back(std::move(alarms));
 
     // THE table of postprocessors: one line a kind
     if (!all.fronts.empty())
       all.list.push_back(
-        std::make_unique<FrontPosition<dim>>(all.fronts, grid));
+        std::make_unique<FrontPosition<dim>>(all.fronts, grid, all.extent));
     if (!all.gauges.empty())
-      all.list.push_back(std::make_unique<WaterLevel<dim>>(all.gauges, grid));
+      all.list.push_back(
+        std::make_unique<WaterLevel<dim>>(all.gauges, grid, all.extent));
+    if (!all.run_ups.empty())
+      all.list.push_back(
+        std::make_unique<RunUp<dim>>(all.run_ups, grid, all.extent));
+    if (all.output.mean_level)
+      all.list.push_back(std::make_unique<MeanLevel<dim>>(all.extent));
     if (!all.probes.empty())
       all.list.push_back(std::make_unique<Probes<dim>>(
         all.probes,
@@ -247,6 +282,7 @@ namespace seiche
                                   StatisticsTable     &statistics)
   {
     implementation->pressure->begin_step();
+    implementation->extent->begin_step();
     for (const auto &postprocessor : implementation->list)
       postprocessor->execute(view, statistics);
   }
@@ -284,6 +320,13 @@ namespace seiche
   {
     for (const auto &postprocessor : implementation->list)
       postprocessor->save_or_load(archive);
+  }
+
+  template <int dim>
+  const std::vector<typename Alarms<dim>::Alarm> &
+  PostprocessorList<dim>::raised_alarms() const
+  {
+    return implementation->alarms->raised();
   }
 
   template <int dim>

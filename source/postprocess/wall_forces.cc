@@ -2,6 +2,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/parameters/nearest_name.h>
 #include <seiche/postprocess/wall_forces.h>
+#include <seiche/postprocess/wall_names.h>
 #include <seiche/utilities/axis_names.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -46,16 +47,6 @@ namespace seiche
                    std::abs(x[d] - place) < 1e-8 * (upper[d] - lower[d]);
         }
       return false;
-    }
-
-    template <int dim>
-    std::vector<std::string>
-    wall_names(const BackgroundGrid<dim> &grid)
-    {
-      std::vector<std::string> names;
-      for (unsigned int id = 0; id < grid.n_walls(); ++id)
-        names.push_back(grid.wall_name(id));
-      return names;
     }
 
     /// r x F: the component along z in 2D.

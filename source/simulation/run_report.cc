@@ -82,6 +82,20 @@ namespace seiche
       return text;
     }
 
+    /// What the last line says of the alarms of a summary.
+    std::string
+    alarm_text(const nlohmann::ordered_json &summary)
+    {
+      std::string text;
+      if (summary.contains("alarms"))
+        for (const auto &[name, value] : summary["alarms"].items())
+          text += fmt::format("{} {} {:.2g} %",
+                              text.empty() ? "; BEWARE:" : ",",
+                              name,
+                              100. * value.get<double>());
+      return text;
+    }
+
     constexpr unsigned int warnings_kept = 100;
   } // namespace
 
@@ -300,8 +314,9 @@ namespace seiche
                               stream << complete.dump(2) << '\n';
                             });
         header(fmt::format("finished: results are in {0}/; look at "
-                           "{0}/summary.json and {0}/statistics.csv",
-                           options.directory));
+                           "{0}/summary.json and {0}/statistics.csv{1}",
+                           options.directory,
+                           alarm_text(complete)));
       }
     if (test_output.is_open())
       test_output.close();

@@ -77,6 +77,9 @@ namespace seiche
       statistics.set(names[i], values[i]);
     scene.postprocessors.execute(view, statistics);
     statistics.end_row();
+    for (const auto &alarm : scene.postprocessors.raised_alarms())
+      report.warn(alarm.text + "; what may help: " + alarm.advice,
+                  fmt::format("t = {:.6g} s, {:.3g}", time, alarm.value));
     const double energy = scene.postprocessors.relative_energy();
     if (step > 0)
       report.progress(time, dt, effort.newton, effort.krylov, energy);

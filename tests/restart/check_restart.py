@@ -23,6 +23,7 @@ SCENE_QUADRATIC = str(HERE / "dam_break_2d_quadratic.prm")
 SCENE_3D = str(HERE / "column_3d.prm")
 SCENE_PISTON = str(HERE / "piston_2d.prm")
 SCENE_ADAPTIVE = str(HERE / "adaptive_2d.prm")
+SCENE_CROWDED = str(HERE.parent / "robustness/alarms/crowded.prm")
 SCENE_BOX = str(HERE / "box_3d.prm")
 SCENE_POINTS = str(HERE / "cavity_2d.prm")
 # leave nothing to the solver's choices
@@ -101,7 +102,7 @@ def exact_error_control(make, folder, ranks):
     """The size of the next step depends on the steps before."""
     options = ["Time/Step control = error", "Time/Error tolerance = 0.02"]
     exact(make(SCENE_3D, ranks, options), folder, ["statistics.csv"],
-          ["0.2265"])
+          ["0.2325"])
     steps = read_columns(f"{folder}/whole")["dt [s]"]
     assert len({round(dt, 9) for dt in steps}) > 5, steps
     text = make(SCENE_3D, ranks).run(f"{folder}/parts", "--restart", code=4)
@@ -109,7 +110,25 @@ def exact_error_control(make, folder, ranks):
 
 
 def exact_adaptive(make, folder, ranks):
-    exact(make(SCENE_ADAPTIVE, ranks), folder, ["statistics.csv"], ["0.13"])
+    """The surface follows from the points alone; its frames go on."""
+    options = ["Points/Density time = 1000", "Output/Mean level = true",
+               "Run-up right/Wall = right"]
+    exact(make(SCENE_ADAPTIVE, ranks, options), folder,
+          ["statistics.csv", "surface.pvd"], ["0.13"])
+    assert any(name.startswith("surface_") for name in frames(f"{folder}/parts"))
+
+
+def alarms(make, folder, ranks):
+    """They are raised once, before the restart, and the last line still has
+    them."""
+    program = make(SCENE_CROWDED, ranks, ["Checkpoint/Every steps = 10"])
+    program.run_until(f"{folder}/parts", "0.97")
+    text = program.run(f"{folder}/parts", "--restart")
+    with open(f"{folder}/parts/run.log", encoding="utf-8") as file:
+        log = file.read()
+    assert log.count("warning: more than 2 %") == 1, log
+    assert "BEWARE: " in text.strip().split("\n")[-1], text
+    assert summary(f"{folder}/parts")["alarms"]["overfull"] > 0.02
 
 
 def exact_box(make, folder, ranks):
@@ -276,6 +295,7 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_ml_2_ranks": (exact_ml, 2),
          "exact_error_control_2_ranks": (exact_error_control, 2),
          "exact_adaptive_2_ranks": (exact_adaptive, 2),
+         "alarms": (alarms, 1),
          "exact_box_2_ranks": (exact_box, 2),
          "exact_points": (exact_points, 1),
          "exact_points_2_ranks": (exact_points, 2),

@@ -52,7 +52,7 @@ def require_same_files(folder, other, names):
 
 def frames(folder):
     return sorted(name for name in os.listdir(folder)
-                  if name.startswith(("grid_", "points_")))
+                  if name.startswith(("grid_", "points_", "surface_")))
 
 
 def checkpoints(folder):

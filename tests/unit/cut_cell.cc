@@ -12,12 +12,13 @@ namespace
 {
   using namespace dealii;
   using seiche::CutCell;
+  using seiche::VertexValues;
 
   template <int dim>
-  typename CutCell<dim>::Values
+  VertexValues<dim>
   plane(const Tensor<1, dim> &normal, const double distance)
   {
-    typename CutCell<dim>::Values values;
+    VertexValues<dim> values;
     for (unsigned int v = 0; v < values.size(); ++v)
       {
         values[v] = -distance;
@@ -134,7 +135,7 @@ namespace
     std::cout << dim << "D, Gauss points of a cell cut along an axis: "
               << (error_along_axes<dim>() < 1e-12 ? "yes" : "NO") << '\n';
     check_planes<dim>();
-    typename CutCell<dim>::Values positive;
+    VertexValues<dim> positive;
     positive.fill(1.);
     std::cout << dim << "D, nothing of a cell outside: "
               << (CutCell<dim>(positive).volume() == 0. ? "yes" : "NO") << '\n';

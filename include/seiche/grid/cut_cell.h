@@ -2,11 +2,9 @@
 #ifndef seiche_grid_cut_cell_h
 #define seiche_grid_cut_cell_h
 
-#include <deal.II/base/geometry_info.h>
-#include <deal.II/base/point.h>
-#include <deal.II/base/symmetric_tensor.h>
+#include <seiche/grid/cell_simplices.h>
 
-#include <array>
+#include <deal.II/base/symmetric_tensor.h>
 
 namespace seiche
 {
@@ -14,9 +12,8 @@ namespace seiche
    * @brief The part of the unit cell where a multilinear function is negative:
    * its volume, centre and second moments, and a quadrature rule that has them.
    *
-   * The cell is divided into simplices around its centre (in 3D around the
-   * centres of its faces, too), on each of which the function is taken as
-   * linear.
+   * The cell is divided into simplices (cell_simplices()), on each of which the
+   * function is taken as linear.
    */
   template <int dim>
   class CutCell
@@ -24,10 +21,8 @@ namespace seiche
   public:
     static constexpr unsigned int n_vertices =
       dealii::GeometryInfo<dim>::vertices_per_cell;
-    using Values = std::array<double, n_vertices>;
 
-    /// @p values at the vertices, bit d of whose number is coordinate d.
-    explicit CutCell(const Values &values);
+    explicit CutCell(const VertexValues<dim> &values);
 
     /// Share of the cell [-].
     double
@@ -44,21 +39,12 @@ namespace seiche
     points() const;
 
   private:
-    struct Simplex
-    {
-      std::array<dealii::Point<dim>, dim + 1> vertices;
-      std::array<double, dim + 1>             values;
-    };
-
-    void
-    divide(const Values &values);
-
     /// The part of a simplex where its function is negative.
     void
-    add_negative(const Simplex &simplex);
+    add_negative(const CellSimplex<dim> &simplex);
 
     void
-    add(const Simplex &simplex);
+    add(const CellSimplex<dim> &simplex);
 
     double                          sum = 0.;
     dealii::Tensor<1, dim>          first;  ///< integral of x

@@ -66,10 +66,11 @@ namespace seiche
       return level;
     }
 
-  private:
-    typename CutCell<dim>::Values
+    /// The level set at the vertices of an own active cell [cells].
+    VertexValues<dim>
     level_in(const unsigned int cell) const;
 
+  private:
     /// Shares and rules from the level set. Collective.
     void
     cut_cells();

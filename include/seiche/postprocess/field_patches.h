@@ -13,7 +13,7 @@ namespace seiche
   /**
    * @brief Patches with named fields for deal.II's writers.
    *
-   * @tparam patch_dim 0 for points, dim for cells.
+   * @tparam patch_dim 0 for points, dim - 1 for a surface, dim for cells.
    *
    * The owner declares the fields, fills the patches (rows of Patch::data in
    * the order of the fields, dim rows a vector) and writes.

@@ -45,7 +45,8 @@ namespace seiche
     due(const double time);
 
     /// Write the frame of @p time [s] as VTU: one file, or one for each rank
-    /// that has patches and a PVTU record. Collective.
+    /// that has patches and a PVTU record; none if there are no patches.
+    /// Collective.
     template <int patch_dim, int dim>
     void
     write_vtu(const double time, const FieldPatches<patch_dim, dim> &data);

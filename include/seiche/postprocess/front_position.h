@@ -2,7 +2,7 @@
 #ifndef seiche_postprocess_front_position_h
 #define seiche_postprocess_front_position_h
 
-#include <seiche/postprocess/postprocessor.h>
+#include <seiche/postprocess/fluid_extent.h>
 
 #include <string>
 #include <vector>
@@ -60,37 +60,40 @@ namespace seiche
   };
 
   /**
-   * @brief How far the fluid reaches in a direction: the extreme coordinate
-   * of the points from a height on, and half their initial spacing beyond it.
+   * @brief How far the fluid reaches in a direction, from a height on
+   * (FluidExtent).
    *
-   * Where there is no point, the side of the domain that the front moves from,
-   * at its place at the start. Vertical is the last direction.
+   * Spray counts where there is nothing else; without that it is the side of
+   * the domain that the front moves from, at its place at the start. Vertical
+   * is the last direction.
    */
   template <int dim>
   class FrontPosition : public Postprocessor<dim>
   {
   public:
     /// @p grid must outlive the object.
-    FrontPosition(const std::vector<FrontParameters<dim>> &parameters,
-                  const BackgroundGrid<dim>               &grid);
+    FrontPosition(const std::vector<FrontParameters<dim>>       &parameters,
+                  const BackgroundGrid<dim>                     &grid,
+                  const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 
   private:
-    const std::vector<FrontParameters<dim>> fronts;
-    const GridParameters<dim>              &box;
+    const std::vector<FrontParameters<dim>>       fronts;
+    const GridParameters<dim>                    &box;
+    const std::shared_ptr<FluidExtentOfStep<dim>> extent;
   };
 
   /**
    * @brief Height of the water at a place, as a wave gauge sees it.
    *
-   * Vertical coordinate of the highest point within the width on either side
-   * (in every horizontal direction), and half the initial spacing above it;
-   * the bottom of the domain if there is no point. And the depth: a mean of the
-   * volume of water per area, which a single drop hardly changes, with weights
-   * that fall linearly to zero at that distance (with equal weights the depth
-   * of still water depended on where the gauge stood between the points).
+   * The level is that of the fluid (FluidExtent); the bottom of the domain if
+   * there is none. The spray, if it is above it, is the highest within the
+   * width on either side (in every horizontal direction). The depth is a mean
+   * of the volume of water per area, which a single drop hardly changes, with
+   * weights that fall linearly to zero at that distance (with equal weights the
+   * depth of still water depended on where the gauge stood between the points).
    * Beside an obstacle that stands on the bottom, water and area beside it
    * count; on it, those over it. Vertical is the last direction.
    */
@@ -99,8 +102,9 @@ namespace seiche
   {
   public:
     /// @p grid must outlive the object.
-    WaterLevel(const std::vector<GaugeParameters<dim>> &parameters,
-               const BackgroundGrid<dim>               &grid);
+    WaterLevel(const std::vector<GaugeParameters<dim>>       &parameters,
+               const BackgroundGrid<dim>                     &grid,
+               const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
@@ -115,6 +119,12 @@ namespace seiche
       double area;        ///< integral of the weights over that [m^(dim-1)]
     };
 
+    /// Of the points of this rank [m].
+    double
+    mean_depth(const StepView<dim>      &view,
+               const dealii::Point<dim> &place,
+               const double              width) const;
+
     Footprint
     footprint(const dealii::Point<dim> &position, const double width) const;
 
@@ -125,8 +135,9 @@ namespace seiche
     bool
     is_over_obstacle(const dealii::Point<dim> &place) const;
 
-    const std::vector<GaugeParameters<dim>> gauges;
-    const GridParameters<dim>              &box;
+    const std::vector<GaugeParameters<dim>>       gauges;
+    const GridParameters<dim>                    &box;
+    const std::shared_ptr<FluidExtentOfStep<dim>> extent;
   };
 } // namespace seiche
 

@@ -2,7 +2,7 @@
 #ifndef seiche_postprocess_postprocessor_table_h
 #define seiche_postprocess_postprocessor_table_h
 
-#include <seiche/postprocess/postprocessor.h>
+#include <seiche/postprocess/alarms.h>
 
 #include <memory>
 #include <string>
@@ -21,10 +21,11 @@ namespace seiche
    * @brief All postprocessors of a scene: declares their entries, makes them
    * and runs them in the order of the table.
    *
-   * Always there: the ledger (mass_and_energy). By instance subsections of
-   * the parameter file: "Front NAME", "Gauge NAME", "Probe NAME",
-   * "Tracked point NAME", "Force NAME", "Error NAME", "Score NAME". By
-   * entries of "Output": grid, points, HDF5 series.
+   * Always there: the ledger (mass_and_energy) and the alarms. By instance
+   * subsections of the parameter file: "Front NAME", "Gauge NAME", "Run-up
+   * NAME", "Probe NAME", "Tracked point NAME", "Force NAME", "Error NAME",
+   * "Score NAME". By entries of "Output": mean level, grid, points, surface,
+   * HDF5 series.
    */
   template <int dim>
   class PostprocessorList
@@ -63,6 +64,10 @@ namespace seiche
     /// Energy [J] over its start, for the progress line.
     double
     relative_energy() const;
+
+    /// Alarms::raised().
+    const std::vector<typename Alarms<dim>::Alarm> &
+    raised_alarms() const;
 
     /// MassAndEnergy::relative_energy_gain().
     double

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_grid_surface_pieces_h
+#define seiche_grid_surface_pieces_h
+
+#include <seiche/grid/cell_simplices.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace seiche
+{
+  /// A flat piece of a surface: a line in 2D, a triangle in 3D.
+  template <int dim>
+  using SurfacePiece = std::array<dealii::Point<dim>, dim>;
+
+  /// Size of a piece times its normal: that of the triangle's vertices
+  /// counterclockwise, to the right of the line.
+  template <int dim>
+  dealii::Tensor<1, dim>
+  area_vector(const SurfacePiece<dim> &piece);
+
+  /**
+   * Where a multilinear function vanishes in the unit cell, taken as linear on
+   * the simplices of CutCell: the pieces of neighbours fit together. Normals
+   * point to where it is positive.
+   */
+  template <int dim>
+  std::vector<SurfacePiece<dim>>
+  surface_pieces(const VertexValues<dim> &values);
+} // namespace seiche
+
+#endif

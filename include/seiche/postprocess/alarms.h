@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_postprocess_alarms_h
+#define seiche_postprocess_alarms_h
+
+#include <seiche/postprocess/postprocessor.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief Whether the run can be trusted with levels: the water that the weak
+   * forms see against that of the points, and the water that stands where there
+   * is no room for it.
+   *
+   * A quantity that leaves its band raises its alarm once in a run.
+   */
+  template <int dim>
+  class Alarms : public Postprocessor<dim>
+  {
+  public:
+    /// What a user is told.
+    struct Alarm
+    {
+      std::string text;   ///< what is wrong
+      std::string advice; ///< what may help
+      double      value;  ///< of the step that raised it [-]
+    };
+
+    void
+    execute(const StepView<dim> &view, StatisticsTable &statistics) override;
+
+    /// Those that the last step has raised.
+    const std::vector<Alarm> &
+    raised() const
+    {
+      return new_alarms;
+    }
+
+    void
+    save_or_load(StateArchive &archive) override;
+
+    /// Fills summary["alarms"] with the largest value of each quantity that
+    /// has left its band.
+    void
+    finish(const StatisticsTable  &statistics,
+           nlohmann::ordered_json &summary) override;
+
+  private:
+    static constexpr unsigned int n_quantities = 2;
+
+    std::array<double, n_quantities> largest{}; // so far, by size
+    std::vector<Alarm>               new_alarms;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_postprocess_extent_of_surface_h
+#define seiche_postprocess_extent_of_surface_h
+
+#include <seiche/postprocess/moved_surface.h>
+#include <seiche/postprocess/outermost_points.h>
+
+namespace seiche
+{
+  /// The pieces of the surface, and the wet places of the walls.
+  template <int dim>
+  class ExtentOfSurface : public FluidExtent<dim>
+  {
+  public:
+    using FluidExtent<dim>::none;
+    using typename FluidExtent<dim>::Surface;
+
+    explicit ExtentOfSurface(const StepView<dim> &step);
+
+    double
+    farthest(const unsigned int axis,
+             const double       sign,
+             const double       lowest) const override;
+    double
+    level(const dealii::Point<dim> &place, const double width) const override;
+    double
+    wet_height(const dealii::types::boundary_id wall) const override;
+
+    double
+    farthest_spray(const unsigned int axis,
+                   const double       sign,
+                   const double       lowest) const override
+    {
+      return spray.farthest(axis, sign, lowest);
+    }
+
+    double
+    spray_level(const dealii::Point<dim> &place,
+                const double              width) const override
+    {
+      return spray.level(place, width);
+    }
+
+    double
+    spray_height(const dealii::types::boundary_id wall) const override
+    {
+      return spray.wet_height(wall);
+    }
+
+    Surface
+    surface() const override;
+
+  private:
+    /// Corners of wet faces at walls, and ends of the surface there.
+    struct WetPlace
+    {
+      dealii::types::boundary_id wall;
+      dealii::Point<dim>         place;
+    };
+
+    void
+    find_wet_places();
+
+    /// The height of a piece over (or under) a place, or none.
+    double
+    height(const SurfacePiece<dim>  &piece,
+           const dealii::Point<dim> &place) const;
+
+    /// The underside of a wall where the fluid reaches up to it, or none.
+    double
+    ceiling(const dealii::Point<dim> &place) const;
+
+    const StepView<dim>               &view;
+    const std::vector<MovedPiece<dim>> pieces;
+    const OutermostPoints<dim>         spray;
+    std::vector<WetPlace>              wet_places;
+    std::vector<unsigned int>          under_ceiling; // cells
+  };
+} // namespace seiche
+
+#endif

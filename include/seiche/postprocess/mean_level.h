@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_postprocess_mean_level_h
+#define seiche_postprocess_mean_level_h
+
+#include <seiche/postprocess/fluid_extent.h>
+
+namespace seiche
+{
+  /**
+   * @brief Mean height of the free surface over the area that it covers, seen
+   * from above: (int z n_z dA + V_loose)/int n_z dA.
+   *
+   * Where the surface lies over itself the fluid between counts, and so do
+   * drops, as if they had fallen: a splash does not change it. The bottom of
+   * the domain if there is no surface. With material points it is the volume of
+   * the points over the whole bottom. Vertical is the last direction.
+   */
+  template <int dim>
+  class MeanLevel : public Postprocessor<dim>
+  {
+  public:
+    static constexpr const char *column = "mean level [m]";
+
+    explicit MeanLevel(
+      const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent);
+
+    void
+    execute(const StepView<dim> &view, StatisticsTable &statistics) override;
+
+  private:
+    const std::shared_ptr<FluidExtentOfStep<dim>> extent;
+  };
+} // namespace seiche
+
+#endif

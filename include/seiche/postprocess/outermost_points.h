@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_postprocess_outermost_points_h
+#define seiche_postprocess_outermost_points_h
+
+#include <seiche/postprocess/fluid_extent.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace seiche
+{
+  /// The outermost of the points that are chosen, and half their spacing.
+  template <int dim>
+  class OutermostPoints
+  {
+  public:
+    /// @p choice(cell, number of the point in it). @p step must outlive the
+    /// object.
+    template <typename Choice>
+    OutermostPoints(const StepView<dim> &step, const Choice &choice)
+      : view(step)
+    {
+      for (unsigned int cell = 0; cell < view.occupancy.locator.n_owned();
+           ++cell)
+        for (unsigned int p = 0; p < view.points.n_points_in(cell); ++p)
+          if (choice(cell, p))
+            chosen.push_back({cell, view.points.first_point(cell) + p});
+    }
+
+    double
+    farthest(const unsigned int axis,
+             const double       sign,
+             const double       lowest) const
+    {
+      return with_spacing(largest(axis, sign, [&](const Entry &entry) {
+        return view.points.data(PointColumn::position, dim - 1)[entry.point] >=
+               lowest;
+      }));
+    }
+
+    double
+    level(const dealii::Point<dim> &place, const double width) const
+    {
+      return with_spacing(largest(dim - 1, 1., [&](const Entry &entry) {
+        for (unsigned int d = 0; d + 1 < dim; ++d)
+          if (std::abs(view.points.data(PointColumn::position, d)[entry.point] -
+                       place[d]) >= width)
+            return false;
+        return true;
+      }));
+    }
+
+    /// Of points in the cells at the wall.
+    double
+    wet_height(const dealii::types::boundary_id wall) const
+    {
+      const auto &locator = view.occupancy.locator;
+      return with_spacing(largest(dim - 1, 1., [&](const Entry &entry) {
+        for (const unsigned int face :
+             dealii::GeometryInfo<dim>::face_indices())
+          if (locator.boundary_id(entry.cell, face) == wall)
+            return true;
+        return false;
+      }));
+    }
+
+  private:
+    struct Entry
+    {
+      unsigned int cell;
+      std::size_t  point;
+    };
+
+    template <typename Condition>
+    double
+    largest(const unsigned int axis,
+            const double       sign,
+            const Condition   &condition) const
+    {
+      const double *x      = view.points.data(PointColumn::position, axis);
+      double        result = FluidExtent<dim>::none;
+      for (const Entry &entry : chosen)
+        if (condition(entry))
+          result = std::max(result, sign * x[entry.point]);
+      return result;
+    }
+
+    double
+    with_spacing(const double outermost) const
+    {
+      return outermost == FluidExtent<dim>::none ?
+               outermost :
+               outermost + view.half_spacing;
+    }
+
+    const StepView<dim> &view;
+    std::vector<Entry>   chosen;
+  };
+} // namespace seiche
+
+#endif

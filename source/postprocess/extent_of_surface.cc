@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/extent_of_surface.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double least_spray = 0.5;  // share of a point that is loose
+    constexpr double slack       = 1e-9; // of a piece: on its edge is inside
+  }                                      // namespace
+
+  template <int dim>
+  ExtentOfSurface<dim>::ExtentOfSurface(const StepView<dim> &step)
+    : view(step)
+    , pieces(moved_surface(step))
+    , spray(step, [&step](const unsigned int cell, const unsigned int point) {
+      const double *loose = step.fill.loose_shares(step.points, cell);
+      return loose != nullptr && loose[point] >= least_spray;
+    })
+  {
+    find_wet_places();
+  }
+
+  template <int dim>
+  void
+  ExtentOfSurface<dim>::find_wet_places()
+  {
+    const auto         &locator = view.occupancy.locator;
+    GridEvaluation<dim> here(view);
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      if (view.occupancy.is_active(cell))
+        for (const unsigned int face : GeometryInfo<dim>::face_indices())
+          {
+            const auto wall = locator.boundary_id(cell, face);
+            if (wall == numbers::internal_face_boundary_id)
+              continue;
+            if (face == 2 * dim - 1)
+              under_ceiling.push_back(cell);
+            const auto level = view.fill.surface().level_in(cell);
+            for (unsigned int v = 0; v < level.size(); ++v)
+              if (((v >> (face / 2)) & 1u) == face % 2 && level[v] < 0.)
+                wet_places.push_back(
+                  {wall,
+                   moved_place(view,
+                               cell,
+                               GeometryInfo<dim>::unit_cell_vertex(v),
+                               here)});
+          }
+    for (const MovedPiece<dim> &piece : pieces)
+      for (const unsigned int face : GeometryInfo<dim>::face_indices())
+        if (const auto wall = locator.boundary_id(piece.cell, face);
+            wall != numbers::internal_face_boundary_id)
+          for (unsigned int v = 0; v < dim; ++v)
+            if (std::abs(piece.unit[v][face / 2] - face % 2) < slack)
+              wet_places.push_back({wall, piece.place[v]});
+  }
+
+  template <int dim>
+  double
+  ExtentOfSurface<dim>::farthest(const unsigned int axis,
+                                 const double       sign,
+                                 const double       lowest) const
+  {
+    double     result = none;
+    const auto add    = [&](const Point<dim> &x) {
+      if (x[dim - 1] >= lowest)
+        result = std::max(result, sign * x[axis]);
+    };
+    for (const WetPlace &wet : wet_places)
+      add(wet.place);
+    for (const MovedPiece<dim> &piece : pieces)
+      for (unsigned int v = 0; v < dim; ++v)
+        {
+          const Point<dim> &a = piece.place[v];
+          add(a);
+          for (unsigned int w = 0; w < v; ++w) // where it crosses the height
+            if (const Point<dim> &b = piece.place[w];
+                (a[dim - 1] < lowest) != (b[dim - 1] < lowest))
+              {
+                const double t =
+                  (lowest - a[dim - 1]) / (b[dim - 1] - a[dim - 1]);
+                result =
+                  std::max(result, sign * (a[axis] + t * (b[axis] - a[axis])));
+              }
+        }
+    return result;
+  }
+
+  template <int dim>
+  double
+  ExtentOfSurface<dim>::height(const SurfacePiece<dim> &piece,
+                               const Point<dim>        &place) const
+  {
+    // share of the piece's projection across each vertex: (signed) sizes
+    std::array<double, dim> share;
+    double                  whole = 0.;
+    for (unsigned int v = 0; v < dim; ++v)
+      {
+        SurfacePiece<dim> part = piece;
+        part[v]                = place;
+        share[v]               = area_vector<dim>(part)[dim - 1];
+        whole += share[v];
+      }
+    // a vertical one ends at others
+    double size = 0.;
+    for (unsigned int d = 0; d + 1 < dim; ++d)
+      size += std::abs(area_vector<dim>(piece)[d]);
+    if (std::abs(whole) <= slack * size)
+      return none;
+    double result = 0.;
+    for (unsigned int v = 0; v < dim; ++v)
+      {
+        if (share[v] / whole < -slack)
+          return none;
+        result += share[v] / whole * piece[v][dim - 1];
+      }
+    return result;
+  }
+
+  template <int dim>
+  double
+  ExtentOfSurface<dim>::ceiling(const Point<dim> &place) const
+  {
+    const auto &locator = view.occupancy.locator;
+    double      result  = none;
+    for (const unsigned int cell : under_ceiling)
+      {
+        Point<dim> unit   = locator.to_unit(cell, place);
+        unit[dim - 1]     = 1.;
+        const auto level  = view.fill.surface().level_in(cell);
+        double     here   = 0.;
+        bool       inside = true;
+        for (unsigned int d = 0; d + 1 < dim; ++d)
+          inside = inside && unit[d] >= -slack && unit[d] <= 1. + slack;
+        for (unsigned int v = 0; v < level.size(); ++v)
+          here +=
+            level[v] * GeometryInfo<dim>::d_linear_shape_function(unit, v);
+        if (inside && here < 0.)
+          result = std::max(result, locator.upper_corner(cell)[dim - 1]);
+      }
+    return result;
+  }
+
+  template <int dim>
+  double
+  ExtentOfSurface<dim>::level(const Point<dim> &place,
+                              const double /*width*/) const
+  {
+    double result = ceiling(place);
+    for (const MovedPiece<dim> &piece : pieces)
+      result = std::max(result, height(piece.place, place));
+    return result;
+  }
+
+  template <int dim>
+  double
+  ExtentOfSurface<dim>::wet_height(const types::boundary_id wall) const
+  {
+    double result = none;
+    for (const WetPlace &wet : wet_places)
+      if (wet.wall == wall)
+        result = std::max(result, wet.place[dim - 1]);
+    return result;
+  }
+
+  template <int dim>
+  typename FluidExtent<dim>::Surface
+  ExtentOfSurface<dim>::surface() const
+  {
+    Surface result;
+    for (const MovedPiece<dim> &piece : pieces)
+      {
+        const double area = area_vector<dim>(piece.place)[dim - 1];
+        double       mean = 0.;
+        for (const Point<dim> &x : piece.place)
+          mean += x[dim - 1] / dim;
+        result.area += area;
+        result.volume += mean * area;
+      }
+    const double *volume = view.points.data(PointColumn::initial_volume);
+    for (const unsigned int cell : view.occupancy.occupied_cells())
+      if (const double *loose = view.fill.loose_shares(view.points, cell))
+        for (unsigned int p = 0; p < view.points.n_points_in(cell); ++p)
+          result.volume += loose[p] * volume[view.points.first_point(cell) + p];
+    return result;
+  }
+
+  template class ExtentOfSurface<2>;
+  template class ExtentOfSurface<3>;
+} // namespace seiche

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/mean_level.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  MeanLevel<dim>::MeanLevel(
+    const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent)
+    : extent(fluid_extent)
+  {}
+
+  template <int dim>
+  void
+  MeanLevel<dim>::execute(const StepView<dim> &view,
+                          StatisticsTable     &statistics)
+  {
+    const auto            surface = extent->get(view).surface();
+    std::array<double, 2> sums    = {{surface.area, surface.volume}};
+    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
+                        view.points.communicator,
+                        ArrayView<double>(sums.data(), sums.size()));
+    // fluid that fills a box has no surface but for round-off
+    const double cell = std::pow(view.smallest_extent, dim - 1);
+    const auto  &box  = view.occupancy.locator.grid.parameters;
+    statistics.set(column,
+                   sums[0] > 1e-6 * cell ? sums[1] / sums[0] :
+                                           box.lower_corner[dim - 1]);
+  }
+
+  template class MeanLevel<2>;
+  template class MeanLevel<3>;
+} // namespace seiche

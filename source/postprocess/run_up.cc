@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/parameters/nearest_name.h>
+#include <seiche/postprocess/run_up.h>
+#include <seiche/postprocess/wall_names.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  void
+  RunUpParameters<dim>::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Wall",
+                      wall,
+                      "Side of the domain, or name of an obstacle, on which "
+                      "the highest wet place is read.",
+                      Patterns::Anything(),
+                      /*has_to_be_set=*/true);
+  }
+
+  template <int dim>
+  void
+  RunUpParameters<dim>::check(const InputFile           &input,
+                              const BackgroundGrid<dim> &grid) const
+  {
+    const std::vector<std::string> known = wall_names(grid);
+    const std::string              hint  = nearest_hint(wall, known);
+    input.require(std::find(known.begin(), known.end(), wall) != known.end(),
+                  std::string(kind) + " " + name + "/Wall",
+                  "there is no wall \"" + wall + "\"" +
+                    (hint.empty() ? "." : hint) + " Walls are " +
+                    quoted_list(known) + ".");
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  RunUpParameters<dim>::columns() const
+  {
+    return {"run-up " + name + " [m]", "run-up " + name + " spray [m]"};
+  }
+
+  template <int dim>
+  RunUp<dim>::RunUp(const std::vector<RunUpParameters<dim>> &parameters,
+                    const BackgroundGrid<dim>               &background_grid,
+                    const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent)
+    : run_ups(parameters)
+    , grid(background_grid)
+    , extent(fluid_extent)
+  {
+    const std::vector<std::string> names = wall_names(grid);
+    for (const RunUpParameters<dim> &run_up : run_ups)
+      walls.push_back(std::find(names.begin(), names.end(), run_up.wall) -
+                      names.begin());
+  }
+
+  template <int dim>
+  void
+  RunUp<dim>::execute(const StepView<dim> &view, StatisticsTable &statistics)
+  {
+    const FluidExtent<dim> &fluid  = extent->get(view);
+    const double            bottom = grid.parameters.lower_corner[dim - 1];
+    std::vector<double>     heights; // of the fluid, of spray
+    for (const types::boundary_id wall : walls)
+      {
+        heights.push_back(std::max(bottom, fluid.wet_height(wall)));
+        heights.push_back(std::max(heights.back(), fluid.spray_height(wall)));
+      }
+    Utilities::MPI::max(ArrayView<const double>(heights.data(), heights.size()),
+                        view.points.communicator,
+                        ArrayView<double>(heights.data(), heights.size()));
+    for (unsigned int r = 0; r < run_ups.size(); ++r)
+      for (unsigned int c = 0; c < 2; ++c)
+        statistics.set(run_ups[r].columns()[c], heights[2 * r + c]);
+  }
+
+  template struct RunUpParameters<2>;
+  template struct RunUpParameters<3>;
+  template class RunUp<2>;
+  template class RunUp<3>;
+} // namespace seiche
