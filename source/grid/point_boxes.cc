@@ -16,17 +16,24 @@ namespace seiche
 
   template <int dim>
   unsigned int
-  PointBoxes<dim>::divide(const unsigned int   cell,
-                          const unsigned int   direction,
-                          const double         centre,
-                          const double         edge,
-                          std::array<Part, 2> &parts) const
+  PointBoxes<dim>::divide(const unsigned int cell,
+                          const unsigned int direction,
+                          const double       centre,
+                          const double       edge,
+                          Part (&parts)[2]) const
   {
     constexpr double touches = 1e-12; // the face, up to round-off
     const auto       is_wall = [&](const unsigned int side) {
       return occupancy.locator.neighbor(cell, 2 * direction + side) ==
              CellLocator<dim>::invalid;
     };
+    // of a hat the mean over an interval is the value in its middle
+    const auto part =
+      [edge](const unsigned int side, const double from, const double to) {
+        const double share  = edge > 0. ? (to - from) / edge : 1.;
+        const double middle = 0.5 * (from + to) + 1. - side;
+        return Part{side, {share * (1. - middle), share * middle}};
+      };
     double lower = centre - 0.5 * edge;
     if (lower < 0. && is_wall(0))
       lower = 0.;
@@ -35,13 +42,12 @@ namespace seiche
     const double upper = lower + edge;
     if (lower >= -touches && upper <= 1. + touches)
       {
-        parts[0] = {1, 0.5 * (lower + upper), 1.};
+        parts[0] = part(1, lower, upper);
         return 1;
       }
-    const bool   below = lower < 0.;
-    const double face  = below ? 0. : 1.;
-    parts = {{{below ? 0u : 1u, 0.5 * (lower + face), (face - lower) / edge},
-              {below ? 1u : 2u, 0.5 * (face + upper), (upper - face) / edge}}};
+    const bool is_below = lower < 0.;
+    parts[0]            = is_below ? part(0, lower, 0.) : part(1, lower, 1.);
+    parts[1]            = is_below ? part(1, 0., upper) : part(2, 1., upper);
     return 2;
   }
 
@@ -82,53 +88,77 @@ namespace seiche
 
   template <int dim>
   void
+  PointBoxes<dim>::add_elsewhere(const unsigned int               cell,
+                                 const std::array<Part, dim>     &part,
+                                 const double                     volume,
+                                 typename Occupancy<dim>::Vector &sums) const
+  {
+    using Shape         = TensorShape<dim, 1>;
+    const auto &locator = occupancy.locator;
+    double      content = volume;
+    Point<dim>  place   = locator.lower_corner(cell);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double share  = part[d].hats[0] + part[d].hats[1];
+        const double middle = part[d].hats[1] / share - 1. + part[d].side;
+        place[d] += middle * locator.extent(cell)[d];
+        content *= share;
+      }
+    unsigned int holder = locator.find(place, cell);
+    if (holder == locator.invalid)
+      holder = cell;
+    Point<dim> unit = locator.to_unit(holder, place);
+    for (unsigned int d = 0; d < dim; ++d)
+      unit[d] = std::clamp(unit[d], 0., 1.);
+    std::array<double, Shape::n_nodes> N;
+    Shape::values(unit, N.data());
+    for (double &value : N)
+      value *= content;
+    add_to(holder, N, sums);
+  }
+
+  template <int dim>
+  void
   PointBoxes<dim>::add_part(const unsigned int               cell,
                             const std::array<Part, dim>     &part,
-                            double                           volume,
+                            const double                     volume,
                             Integrals                       &integrals,
                             typename Occupancy<dim>::Vector &sums) const
   {
-    using Shape          = TensorShape<dim, 1>;
-    const auto  &locator = occupancy.locator;
-    unsigned int side    = 0;
+    unsigned int side = 0;
     for (unsigned int d = dim; d-- > 0;)
-      {
-        side = 3 * side + part[d].side;
-        volume *= part[d].share;
-      }
+      side = 3 * side + part[d].side;
     if (!integrals.exists[side])
       {
         integrals.exists[side] = true;
         integrals.holder[side] = find_holder(cell, side);
         integrals.of_vertices[side].fill(0.);
       }
-    unsigned int holder       = integrals.holder[side];
-    const bool   is_same_size = holder != locator.invalid;
-    Point<dim>   unit;
-    for (unsigned int d = 0; d < dim; ++d)
-      unit[d] = part[d].centre +
-                (is_same_size && holder != cell ? 1. - part[d].side : 0.);
-    if (!is_same_size)
+    const unsigned int holder = integrals.holder[side];
+    if (holder == CellLocator<dim>::invalid)
       {
-        Point<dim> place = locator.lower_corner(cell);
-        for (unsigned int d = 0; d < dim; ++d)
-          place[d] += unit[d] * locator.extent(cell)[d];
-        holder = locator.find(place, cell);
-        if (holder == locator.invalid)
-          holder = cell;
-        unit = locator.to_unit(holder, place);
+        add_elsewhere(cell, part, volume, sums);
+        return;
       }
+    double hats[dim][2];
     for (unsigned int d = 0; d < dim; ++d)
-      unit[d] = std::clamp(unit[d], 0., 1.);
-    std::array<double, Shape::n_nodes> N;
-    Shape::values(unit, N.data());
-    for (double &value : N)
-      value *= volume;
-    if (!is_same_size)
-      add_to(holder, N, sums);
-    else
-      for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-        integrals.of_vertices[side][v] += N[v];
+      for (const unsigned int end : {0, 1})
+        hats[d][end] = part[d].hats[end];
+    if (holder == cell) // what is beyond its faces counts at them
+      for (unsigned int d = 0; d < dim; ++d)
+        if (part[d].side != 1)
+          {
+            const unsigned int end = part[d].side / 2;
+            hats[d][end]           = hats[d][0] + hats[d][1];
+            hats[d][1 - end]       = 0.;
+          }
+    for (unsigned int v = 0; v < (1u << dim); ++v)
+      {
+        double content = volume;
+        for (unsigned int d = 0; d < dim; ++d)
+          content *= hats[d][(v >> d) & 1u];
+        integrals.of_vertices[side][v] += content;
+      }
   }
 
   template <int dim>
@@ -169,8 +199,8 @@ namespace seiche
               of_vertices[v] += N[v] * volume[p];
             continue;
           }
-        std::array<Part, 2> along[dim];
-        unsigned int        n[dim], n_parts = 1;
+        Part         along[dim][2];
+        unsigned int n[dim], n_parts = 1;
         for (unsigned int d = 0; d < dim; ++d)
           {
             n[d] = divide(cell, d, unit[d], edge, along[d]);
@@ -179,8 +209,8 @@ namespace seiche
         std::array<Part, dim> part;
         for (unsigned int i = 0; i < n_parts; ++i)
           {
-            for (unsigned int d = 0, rest = i; d < dim; rest /= n[d], ++d)
-              part[d] = along[d][rest % n[d]];
+            for (unsigned int d = 0, rest = i; d < dim; rest >>= n[d] - 1, ++d)
+              part[d] = along[d][n[d] == 2 ? rest & 1u : 0];
             add_part(cell, part, volume[p], integrals, sums);
           }
       }

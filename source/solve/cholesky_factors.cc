@@ -5,6 +5,13 @@
 
 namespace seiche
 {
+  namespace
+  {
+    /// Entries of the factors, over those when the order was found, that call
+    /// for a new one.
+    constexpr double most_fill = 1.2;
+  } // namespace
+
   CholeskyFactors::CholeskyFactors()
   {
     cholmod_start(&common);
@@ -46,11 +53,23 @@ namespace seiche
     view.dtype            = CHOLMOD_DOUBLE;
     view.sorted = view.packed = 1;
 
-    const bool known =
+    const auto analyze = [&](const bool with_known_order) {
+      common.method[0].ordering =
+        with_known_order ? CHOLMOD_GIVEN : CHOLMOD_AMD;
+      factor = cholmod_analyze_p(
+        &view, with_known_order ? order.data() : nullptr, nullptr, 0, &common);
+    };
+    const bool is_known =
       order.size() == view.nrow && order_numbering == numbering;
-    common.method[0].ordering = known ? CHOLMOD_GIVEN : CHOLMOD_AMD;
-    factor                    = cholmod_analyze_p(
-      &view, known ? order.data() : nullptr, nullptr, 0, &common);
+    analyze(is_known);
+    const bool is_outdated = is_known && common.lnz > most_fill * order_fill;
+    if (is_outdated)
+      {
+        clear();
+        analyze(/*with_known_order=*/false);
+      }
+    if (!is_known || is_outdated)
+      order_fill = common.lnz;
     if (factor == nullptr || !cholmod_factorize(&view, factor, &common) ||
         common.status != CHOLMOD_OK)
       {

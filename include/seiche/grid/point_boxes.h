@@ -36,12 +36,13 @@ namespace seiche
   private:
     static constexpr unsigned int n_sides = dim == 2 ? 9 : 27;
 
-    /// A part of a box along an axis.
+    /// A part of a box along an axis, in the cell that holds it.
     struct Part
     {
-      unsigned int side;   ///< below, in, above the cell: 0, 1, 2
-      double       centre; ///< [unit cell]
-      double       share;  ///< [-]
+      unsigned int
+             side;    ///< this cell's: below, in, above the box's own: 0, 1, 2
+      double hats[2]; ///< mean of the lower and the upper hat, times the
+                      ///< part's share of the box [-]
     };
 
     /// What the cell and those around it hold.
@@ -54,21 +55,22 @@ namespace seiche
 
     /// The parts on both sides of a face, or the whole box; their number.
     unsigned int
-    divide(const unsigned int   cell,
-           const unsigned int   direction,
-           const double         centre,
-           const double         edge,
-           std::array<Part, 2> &parts) const;
+    divide(const unsigned int cell,
+           const unsigned int direction,
+           const double       centre,
+           const double       edge,
+           Part (&parts)[2]) const;
 
     /// The cell that holds parts on a side: this one around the edge of an
     /// obstacle, invalid if the mesh is finer or coarser there.
     unsigned int
     find_holder(const unsigned int cell, const unsigned int side) const;
 
+    /// @p part: of each direction.
     void
     add_part(const unsigned int               cell,
              const std::array<Part, dim>     &part,
-             double                           volume,
+             const double                     volume,
              Integrals                       &integrals,
              typename Occupancy<dim>::Vector &sums) const;
 
@@ -76,6 +78,13 @@ namespace seiche
     add_to(const unsigned int                   cell,
            const std::array<double, 1u << dim> &of_vertices,
            typename Occupancy<dim>::Vector     &sums) const;
+
+    /// Where the mesh is finer or coarser.
+    void
+    add_elsewhere(const unsigned int               cell,
+                  const std::array<Part, dim>     &part,
+                  const double                     volume,
+                  typename Occupancy<dim>::Vector &sums) const;
 
     const Occupancy<dim> &occupancy;
   };

@@ -29,8 +29,8 @@ namespace seiche
 
     /// Factorise; false, and empty, if the matrix is not positive definite. The
     /// order of elimination of the matrix before serves if that had the same
-    /// number of
-    /// rows and @p numbering: a third of the work on a new one goes into it.
+    /// number of rows and @p numbering, and as long as the factors do not grow
+    /// by it: a third of the work goes into a new one.
     bool
     initialize(LowerTriangle &matrix, const unsigned int numbering);
 
@@ -50,6 +50,7 @@ namespace seiche
     cholmod_common   common;
     std::vector<int> order; ///< of elimination
     unsigned int     order_numbering = 0;
+    double           order_fill      = 0.; ///< entries of the factors
     cholmod_factor  *factor          = nullptr;
     cholmod_dense   *x = nullptr, *y = nullptr, *e = nullptr; ///< workspace
   };
