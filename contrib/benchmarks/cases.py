@@ -106,11 +106,42 @@ def against_record(column, begin, end):
     return error
 
 
+def harmonic(curves, column, omega, begin, end):
+    """Amplitude and phase of A cos(omega t + phase) in begin..end, whole periods."""
+    cosine = sine = 0.0
+    samples = 400
+    for i in range(samples):
+        t = begin + (end - begin) * (i + 0.5) / samples
+        value = interpolate(t, curves["t"], curves[column])
+        cosine += 2 * value * math.cos(omega * t) / samples
+        sine += 2 * value * math.sin(omega * t) / samples
+    return math.hypot(cosine, sine), math.atan2(-sine, cosine)
+
+
+def wave_error(which, omega, periods):
+    """Loss of amplitude a period, or error of the frequency, of the difference of
+    both ends' elevation, from the first period to the last."""
+
+    def error(folder, _):
+        curves = read_curves(folder)
+        curves["wave"] = [a - b for a, b in zip(curves["left"], curves["right"])]
+        period = 2 * math.pi / omega
+        first = harmonic(curves, "wave", omega, 0, period)
+        last = harmonic(curves, "wave", omega, (periods - 1) * period, periods * period)
+        if which == "loss":
+            return 1 - (last[0] / first[0]) ** (1 / (periods - 1))
+        turn = math.remainder(last[1] - first[1], 2 * math.pi)
+        return abs(turn) / (2 * math.pi * (periods - 1))
+
+    return error
+
+
 # ---- cases ----
 
 DAM = "benchmarks/dam_break_2d/dam_break_2d.prm"
 PATCH = "benchmarks/rotating_patch/rotating_patch.prm"
 MARIN = "benchmarks/marin_box/marin_box.prm"
+WAVE = "verification/standing_wave_small.prm"
 COLUMN = "benchmarks/column_collapse_3d/column_collapse_3d.prm"
 # Cells that a refinement of the coarse mesh can make; steps of 0.01 s at most, as interFoam's.
 H_DAM = {
@@ -167,6 +198,28 @@ def rotating_patch():
     return Case("Rotating square patch to omega t = 1.75", runs, {"p(centre)": centre_pressure})
 
 
+def small_waves():
+    """The scene's tank, started by its elevation in both codes."""
+    omega, periods, h = 5.31655337, 10, 0.025
+    end = 2 * math.pi * periods / omega
+    runs = []
+    for ratio in (0.1, 0.2, 0.4, 0.8, 2):
+        a = ratio * h
+        entries = [f"Time/End time = {end}", "Fluid body water/Shape = expression",
+                   f"Fluid body water/Expression = y - 0.5 - {a}*cos(pi*x)",
+                   "Fluid body water/Velocity = 0; 0",
+                   "Gauge left/Position = 0.0125, 0", "Gauge right/Position = 0.9875, 0"]
+        for points in (4, 2):
+            runs.append(Run(f"seiche {points**2} points, A/h {ratio}", "seiche",
+                            [WAVE, *entries, f"Points/Per cell and direction = {points}"]))
+        runs.append(Run(f"interFoam Co 0.25, A/h {ratio}", "openfoam",
+                        ["wave", "--h", str(h), "--co", "0.25", "--end", f"{end:.6f}",
+                         "--amplitude", f"{a:.6g}"]))
+    return Case("First mode of a closed tank, 40 x 28 cells, 10 periods (seiche: 60 steps a period)", runs,
+                {"loss a period": wave_error("loss", omega, periods),
+                 "frequency": wave_error("frequency", omega, periods)})
+
+
 def kratos_2d():
     runs = [Run("kratos", "kratos", ["--h", "0.05", "--points", "16", "--steps", "50"]),
             Run("seiche, same settings", "seiche", [DAM, *LIKE_KRATOS, "Time/End time = 0.05"]),
@@ -202,4 +255,5 @@ def marin():
 
 
 CASES = {"dam_break_2d": dam_break(), "rotating_patch": rotating_patch(),
+         "small_waves": small_waves(),
          "kratos_2d": kratos_2d(), "kratos_3d": kratos_3d(), "marin": marin()}

@@ -68,7 +68,8 @@ class Seiche:
     columns = {  # of statistics.csv -> of curves.csv
         "time [s]": "t", "pressure_time [s]": "t_pressure", "front surge [m]": "front",
         "gauge column [m]": "height", "probe centre pressure [Pa]": "p_centre",
-        "relative_energy": "energy", **{f"depth H{i} [m]": f"H{i}" for i in range(1, 5)},
+        "relative_energy": "energy",
+        "gauge left [m]": "left", "gauge right [m]": "right", **{f"depth H{i} [m]": f"H{i}" for i in range(1, 5)},
         **{f"probe P{i} pressure [Pa]": f"P{i}" for i in range(1, 9)},
     }
 

@@ -4,7 +4,7 @@
 
     wave_fit.py OUTPUT_DIR [TABLE]
 
-Half the difference of the points at crest and trough, of the run and of the
+Half the difference of the surface at crest and trough, of the run and of the
 table: the times of its zeros give the ratio of the frequencies, the logarithms
 of its extrema the ratio of the damping rates. Needs nothing but Python.
 """
@@ -49,9 +49,7 @@ def fit(output, table):
     """Frequency and damping rate of the run over those of the table, minus 1."""
     with open(os.path.join(output, "statistics.csv"), encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    vertical = [c for c in ("y", "z") if f"point crest {c} [m]" in rows[0]][-1]
-    run = signal(rows, "time [s]", f"point crest {vertical} [m]",
-                 f"point trough {vertical} [m]")
+    run = signal(rows, "time [s]", "gauge crest [m]", "gauge trough [m]")
     with open(table, encoding="utf-8") as file:
         rows = [row for row in csv.DictReader(file)
                 if float(row["t [s]"]) <= run[0][-1] + 1e-9]

@@ -42,12 +42,10 @@ namespace seiche
               wet[node] |= 1u << (face / 2);
         }
     };
-    for (const unsigned int cell : occupancy.occupied_cells())
-      look_at(cell);
-    for (unsigned int ghost = locator.n_owned(); ghost < locator.n_cells();
-         ++ghost)
-      if (occupancy.is_occupied(ghost))
-        look_at(ghost);
+    // the inside of a surface along a face may reach a little beyond the edge
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      if (occupancy.holds_points(cell))
+        look_at(cell);
     for (unsigned int node = 0; node < wet.size(); ++node)
       if (has_fluid[node])
         nodes.push_back({node, wet[node]});

@@ -58,6 +58,7 @@ namespace seiche
     update_places();
     collect_walls();
 
+    points_flag.assign(locator.n_cells(), 0);
     occupied_flag.assign(locator.n_cells(), 0);
     active_flag.assign(locator.n_cells(), 0);
     is_numbered = false;
@@ -194,6 +195,7 @@ namespace seiche
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       occupied_flag[cell] = points.n_points_in(cell) > 0;
     exchange_flag(occupied_flag);
+    points_flag = occupied_flag;
     occupied.clear();
     bool inside = is_numbered;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)

@@ -115,7 +115,7 @@ namespace
     const CellLocator<dim>    locator(grid);
     PointCloud<dim>           points(locator, {}, communicator);
     fill_up_to(height, points);
-    Occupancy<dim> occupancy(locator, 1, /*with_neighbors=*/true);
+    Occupancy<dim> occupancy(locator, 1);
     occupancy.update(points);
     Fill<dim> fill(occupancy, rule);
     fill.update(points);

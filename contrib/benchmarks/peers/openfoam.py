@@ -5,7 +5,7 @@ front, height or centre pressure.
 
 Dam break (two dimensions): the same tank, but 1.8 m high and open at the top, slip walls, air of
 1 kg/m^3, no surface tension. Patch: in a box of 3.6 m of air of density 1e-3.
-Tank with a box: openfoam_marin.py. Front: last crossing of the volume fraction 0.5 at y = 0.025 m, the middle of
+Tank with a box: openfoam_marin.py, waves: openfoam_waves.py. Front: last crossing of the volume fraction 0.5 at y = 0.025 m, the middle of
 the lowest cell of the coarsest grid; height: first crossing along the left column.
 """
 
@@ -25,10 +25,11 @@ AIR = 1e-3  # density of its air
 
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="openfoam")
-    parser.add_argument("scene", choices=("dam_break", "patch", "marin"))
+    parser.add_argument("scene", choices=("dam_break", "patch", "marin", "wave"))
     parser.add_argument("--h", type=float, required=True, help="cell size [m]")
     parser.add_argument("--co", type=float, required=True, help="largest Courant number")
     parser.add_argument("--end", type=float, default=2.5, help="[s]")
+    parser.add_argument("--amplitude", type=float, default=0.01, help="of the wave [m]")
     parser.add_argument("--tight", action="store_true", help="tight pressure tolerances")
     parser.add_argument("--solver", default="interFoam", choices=("interFoam", "interIsoFoam"))
     return parser.parse_args(arguments)
@@ -206,6 +207,7 @@ def version():
 
 def run(arguments, folder, measured, write_curves):
     import openfoam_marin
+    import openfoam_waves
 
     options = parse(arguments)
     case = tempfile.mkdtemp(prefix="openfoam-")  # it takes no spaces in paths
@@ -218,6 +220,8 @@ def run(arguments, folder, measured, write_curves):
     elif options.scene == "marin":
         openfoam_marin.make(case, options)
         prepare += " && setFields"
+    elif options.scene == "wave":
+        openfoam_waves.make(case, options)
     else:
         make_patch(case, options)
     measured(["sh", "-c", environment + prepare], case)
@@ -231,6 +235,8 @@ def run(arguments, folder, measured, write_curves):
                               "height": [crossing(ys, row[1:], False) for row in column]})
     elif options.scene == "marin":
         write_curves(folder, openfoam_marin.curves(case, options))
+    elif options.scene == "wave":
+        write_curves(folder, openfoam_waves.curves(case, options))
     else:
         rows = table(case, "centre", "p")
         time = [row[0] for row in rows]

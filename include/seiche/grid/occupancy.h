@@ -116,6 +116,13 @@ namespace seiche
       return occupied_flag[cell];
     }
 
+    /// The same without those of occupy().
+    bool
+    holds_points(const unsigned int cell) const
+    {
+      return points_flag[cell];
+    }
+
     bool
     is_active(const unsigned int cell) const
     {
@@ -420,7 +427,7 @@ namespace seiche
     unsigned int              n_own                = 0;
     std::uint64_t             global_occupied      = 0;
     std::vector<unsigned int> occupied;
-    std::vector<char>         occupied_flag, active_flag;
+    std::vector<char>         points_flag, occupied_flag, active_flag;
     std::vector<char>         linear_flag; // own and ghost cells
     std::vector<unsigned int> compact_cell_nodes;
     std::vector<unsigned int> full_of_compact;
