@@ -155,7 +155,8 @@ LIKE_KRATOS = [
     "Formulation/Name = displacement", "Fluid/Bulk modulus = 1e5", "Quadrature/Rule = material points",
     "Time/Scheme = newmark", "Time/Step control = fixed", "Time/Step = 0.001",
     "Transfer/Method = FLIP acceleration", "Solver/Newton tolerance = 1e-4",
-    "Free surface/Ghost acceleration = 0", "Free surface/Point inertia = 0",
+    "Free surface/Ghost acceleration = 0", "Free surface/Ghost velocity = 0",
+    "Free surface/Point inertia = 0",
 ]
 
 

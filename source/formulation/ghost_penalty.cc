@@ -21,6 +21,17 @@ namespace seiche
                       "Ghost penalty on jumps of the pressure's normal "
                       "derivative, gamma_p [-]",
                       Patterns::Double(0.));
+    prm.add_parameter("Ghost velocity",
+                      velocity,
+                      "Damping of jumps of the velocity's normal derivative "
+                      "where there is hardly more than drops and spray, "
+                      "gamma_v [-]",
+                      Patterns::Double(0.));
+    prm.add_parameter("Ghost velocity time",
+                      velocity_time,
+                      "Time T_v of that damping: a physical time, so that it "
+                      "does not grow with small steps [s]",
+                      Patterns::Double(1e-300));
     prm.add_parameter("Point inertia",
                       point_inertia,
                       "Inertia of the points' own extent (second moments), in "
@@ -33,11 +44,17 @@ namespace seiche
 
   GhostCoefficients
   ghost_coefficients(const FreeSurfaceParameters &parameters,
+                     const GhostFace             &face,
                      const double                 h,
                      const double                 density,
-                     const double                 tau_momentum)
+                     const double                 tau_momentum,
+                     const bool                   damping)
   {
-    return {parameters.acceleration * density * h * h * h,
+    const double inertia = density * h * h * h;
+    return {parameters.acceleration * inertia,
+            damping && face.fragment ?
+              parameters.velocity * inertia / parameters.velocity_time :
+              0.,
             parameters.pressure * tau_momentum * h};
   }
 } // namespace seiche

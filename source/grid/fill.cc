@@ -9,6 +9,8 @@ namespace seiche
 
   namespace
   {
+    constexpr double fragment_below = 0.02; // share of a cell that is inside
+
     double
     rounded(const double fill)
     {
@@ -174,6 +176,10 @@ namespace seiche
   void
   Fill<dim>::collect_ghost_faces()
   {
+    const auto is_fragment = [&](const unsigned int cell) {
+      return occupancy.holds_points(cell) &&
+             inside_share(cell) < fragment_below;
+    };
     faces.clear();
     occupancy.for_each_assembled_face(
       occupancy.occupied_cells(),
@@ -182,7 +188,10 @@ namespace seiche
           const unsigned int upper,
           const unsigned int direction) {
         if (is_cut(lower) || is_cut(upper))
-          faces.push_back({lower, upper, direction});
+          faces.push_back({lower,
+                           upper,
+                           direction,
+                           is_fragment(lower) || is_fragment(upper)});
       });
   }
 

@@ -41,11 +41,11 @@ namespace seiche
     prm.add_parameter(
       "Update",
       volume_update,
-      "What changes the volume ratio of a point in a step, in which a finite "
-      "Bulk modulus keeps the pressure: the displacement gradient at the "
+      "What changes the volume ratio of a point in a step (in which a finite "
+      "Bulk modulus keeps the pressure): the displacement gradient at the "
       "point, or its nodal mean, which keeps neighbours together. automatic: "
-      "nodal mean for Element degree 2 with a finite Bulk modulus, else at the "
-      "point (nodal mean: higher order, but at a free surface less accurate)",
+      "at the point with Quadrature/Rule = material points and Element degree "
+      "1, else nodal mean",
       Patterns::Selection("automatic|at the point|nodal mean"));
     prm.leave_subsection();
     time.add_parameters(prm);
@@ -126,8 +126,8 @@ namespace seiche
   Scene<dim>::uses_mean_volume() const
   {
     return volume_update == "nodal mean" ||
-           (volume_update == "automatic" && !fluid.is_incompressible() &&
-            formulation.degree == 2);
+           (volume_update == "automatic" &&
+            (quadrature.has_surface() || formulation.degree == 2));
   }
 
   template <int dim>

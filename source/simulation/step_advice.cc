@@ -42,6 +42,8 @@ namespace seiche
       {surface.point_inertia < 1., "Free surface/Point inertia = 1"},
       {surface.acceleration < 0.1, "Free surface/Ghost acceleration = 0.1"},
       {is_mixed && surface.pressure < 0.1, "Free surface/Ghost pressure = 0.1"},
+      {surface.velocity < 0.1, "Free surface/Ghost velocity = 0.1"},
+      {surface.velocity_time > 0.05, "Free surface/Ghost velocity time = 0.05"},
       {!scene.time.is_controlled(), "Time/Step control = CFL"},
       {scene.seeding.per_direction < enough_points,
        fmt::format("Points/Per cell and direction = {}", enough_points)},

@@ -79,9 +79,11 @@ namespace seiche
               matrix.evaluate(*face, occupancy);
               add_face(matrix,
                        ghost_coefficients(free_surface,
+                                          *face,
                                           matrix.h,
                                           formulation.material.density,
-                                          ghost_tau(size, degree)));
+                                          ghost_tau(size, degree),
+                                          step.damping));
             };
             with_degree(std::max(occupancy.degree(face->lower),
                                  occupancy.degree(face->upper)),
@@ -177,8 +179,11 @@ namespace seiche
             {
               const unsigned int dof = dim * face.nodes[b] + i;
               const double       u   = state.displacement().local_element(dof);
-              jump[b]                = coefficient.acceleration *
-                        (step.inertia * u + inertia_offset->local_element(dof));
+              jump[b] =
+                coefficient.acceleration *
+                  (step.inertia * u + inertia_offset->local_element(dof)) +
+                coefficient.velocity *
+                  (step.rate * u + rate_offset->local_element(dof));
             }
           for (unsigned int a = 0; a < n; ++a)
             {
@@ -244,7 +249,8 @@ namespace seiche
     const auto add_face = [&](const auto              &face,
                               const GhostCoefficients &coefficient) {
       matrix.add_face(face,
-                      coefficient.acceleration * step.inertia,
+                      coefficient.acceleration * step.inertia +
+                        coefficient.velocity * step.rate,
                       coefficient.pressure);
     };
     for_each_cell_and_ghost_face(add_cell, add_face);

@@ -95,7 +95,7 @@ namespace seiche
     c.inertia         = 1. / (dt * dt);
     c.rate            = 0.;
     c.rate_constraint = step.start_divergence * dt * dt;
-    c.viscous = c.body_force = c.elastic = false;
+    c.viscous = c.body_force = c.elastic = c.damping = false;
 
     Vector inertia_offset(state.velocity_start.get_partitioner());
     inertia_offset.equ(-1. / dt, state.velocity_start);
@@ -128,6 +128,7 @@ namespace seiche
     c.inertia         = 1. / (dt * dt);
     c.rate            = 0.;
     c.elastic         = false;
+    c.damping         = false;
     c.rate_constraint = dt * dt;
 
     Vector zero(state.velocity_n.get_partitioner());

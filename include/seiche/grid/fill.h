@@ -16,6 +16,7 @@ namespace seiche
     unsigned int lower;     ///< local cell on the lower side
     unsigned int upper;     ///< local cell on the upper side
     unsigned int direction; ///< of the normal
+    bool         fragment;  ///< one of the cells has points, hardly an inside
   };
 
   /// Rules of the weak forms' quadrature.

@@ -29,6 +29,7 @@ namespace seiche
     double rate       = 0.; ///< [1/s]
     bool   viscous    = true;
     bool   body_force = true;
+    bool   damping    = true; ///< ghost penalty on velocity jumps
     /// The points' volume ratio counts, in which a finite bulk modulus keeps
     /// the pressure.
     bool elastic = true;
