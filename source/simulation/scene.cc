@@ -44,8 +44,9 @@ namespace seiche
       "What changes the volume ratio of a point in a step (in which a finite "
       "Bulk modulus keeps the pressure): the displacement gradient at the "
       "point, or its nodal mean, which keeps neighbours together. automatic: "
-      "at the point with Quadrature/Rule = material points and Element degree "
-      "1, else nodal mean",
+      "nodal mean for incompressible fluid and for Element degree 2, else at "
+      "the point (nodal mean: higher order, but at a free surface less "
+      "accurate)",
       Patterns::Selection("automatic|at the point|nodal mean"));
     prm.leave_subsection();
     time.add_parameters(prm);
@@ -127,7 +128,7 @@ namespace seiche
   {
     return volume_update == "nodal mean" ||
            (volume_update == "automatic" &&
-            (quadrature.has_surface() || formulation.degree == 2));
+            (fluid.is_incompressible() || formulation.degree == 2));
   }
 
   template <int dim>
