@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pictures of the material points coloured by pressure, for plot_run."""
+"""Pictures of the material points coloured by pressure and of the free surface, for
+plot_run."""
 
 import collections
 import re
 
 import matplotlib.pyplot as plt
 import numpy
+from matplotlib.collections import LineCollection
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from seiche_output import read_frame
 
@@ -58,6 +61,14 @@ def load_frames(run, number):
         return [], (0.0, 1.0)
     low, high = numpy.percentile(numpy.concatenate(values), (1, 99))
     return chosen, (min(low, 0.0), max(high, 1e-12))
+
+
+def surface(run, time, dim):
+    """Lines (2D) or triangles of the free surface [n, dim, dim] [m], or None."""
+    for other, path in run.frames("surface"):
+        if abs(other - time) <= 1e-9 * max(1.0, abs(time)):
+            return read_frame(path)["points"].reshape(-1, dim, 3)[:, :, :dim]
+    return None
 
 
 def domain(run, positions):
@@ -158,9 +169,16 @@ def snapshots_2d(run, scene, path):
         axes.set_aspect("equal")
         axes.set_title("t = %.4g s" % frame.time, fontsize=10)
         draw_obstacles(axes, run, 0, 1)
+    for axes in all_axes[:, 0]:
+        axes.set_ylabel("y [m]")
+    for axes in all_axes[-1]:
+        axes.set_xlabel("x [m]")
     colour_bar(figure, all_axes, limits)
     for axes, frame in zip(all_axes.flat, frames):
         scatter(axes, frame, limits, (0, 1))
+        lines = surface(run, frame.time, 2)
+        if lines is not None:
+            axes.add_collection(LineCollection(lines, colors="k", linewidths=0.8))
         if scene and hasattr(scene, "overlay_snapshot"):
             scene.overlay_snapshot(axes, frame.time)
     figure.savefig(path, dpi=120, bbox_inches="tight")  # else labels on the left are cut off
@@ -171,10 +189,12 @@ def perspective(axes, run, frame, limits):
     """The points of a 3D frame seen from the front right."""
     order = slice(None, None, max(1, len(frame.positions) // POINTS_IN_PERSPECTIVE))
     axes.scatter(*frame.positions[order].T, s=5, **colours(frame, order, limits))
+    triangles = surface(run, frame.time, 3)
+    if triangles is not None:
+        axes.add_collection3d(Poly3DCollection(triangles, alpha=0.25, facecolor="0.8", lw=0))
     lower, upper = domain(run, frame.positions)
-    axes.set_xlim(lower[0], upper[0])
-    axes.set_ylim(lower[1], upper[1])
-    axes.set_zlim(lower[2], upper[2])
+    axes.set(xlim=(lower[0], upper[0]), ylim=(lower[1], upper[1]), zlim=(lower[2], upper[2]),
+             xlabel="x [m]", ylabel="y [m]", zlabel="z [m]")
     axes.set_box_aspect(upper - lower, zoom=1.2)
     axes.locator_params(nbins=4)
     axes.tick_params(labelsize=7)
@@ -196,13 +216,14 @@ def snapshots_3d(run, scene, path):
         axes.set_ylim(*view[1])
         axes.set_aspect("equal")
         axes.set_title("t = %.4g s, side view" % frame.time, fontsize=10)
+        axes.set(xlabel="x [m]", ylabel="z [m]")
         draw_obstacles(axes, run, 0, 2)
-    colour_bar(figure, sides + spaces, limits)
+    colour_bar(figure, sides, limits)
     for side, space, frame in zip(sides, spaces, frames):
         order = numpy.argsort(-frame.positions[:, 1], kind="stable")
         scatter(side, frame, limits, (0, 2), order)
         perspective(space, run, frame, limits)
-    figure.savefig(path, dpi=120)
+    figure.savefig(path, dpi=120, bbox_inches="tight")
     return True
 
 
