@@ -117,9 +117,15 @@ namespace seiche
     for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
       {
         const double diagonal = inverse_diagonal.local_element(i);
-        const bool   free =
+        // a gap at a wall that lets go is a surface before the level set sees
+        // it
+        const bool leaves_wall =
+          (occupancy.wall_components(i) & ~occupancy.fixed_components(i) &
+           ~occupancy.dry_components(i)) != 0;
+        const bool free =
           diagonal > 0. && occupancy.node_volume(i) > 0. &&
-          (is_at_surface.local_element(i) == 0. || f.local_element(i) > 1.);
+          ((is_at_surface.local_element(i) == 0. && !leaves_wall) ||
+           f.local_element(i) > 1.);
         all_free                 = all_free && (free || diagonal == 0.);
         is_free.local_element(i) = free;
         inverse_diagonal.local_element(i) = free ? 1. / diagonal : 1.;
