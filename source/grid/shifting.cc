@@ -28,8 +28,8 @@ namespace seiche
   void
   Shifting<dim>::mark_surface()
   {
-    // marks of own cells, added: an owner may not see a cell with a hanging node
-    // whose master is its own
+    // marks of own cells, added: an owner may not see a cell with a hanging
+    // node whose master is its own
     inside.reinit(occupancy.scalar_partitioner());
     for (const unsigned int cell : occupancy.occupied_cells())
       if (fill.is_cut(cell))
