@@ -9,6 +9,11 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    constexpr double touches = 1e-12; // a face, up to round-off [cells]
+  }
+
   template <int dim>
   PointBoxes<dim>::PointBoxes(const Occupancy<dim> &grid_occupancy)
     : occupancy(grid_occupancy)
@@ -22,8 +27,7 @@ namespace seiche
                           const double       edge,
                           Part (&parts)[2]) const
   {
-    constexpr double touches = 1e-12; // the face, up to round-off
-    const auto       is_wall = [&](const unsigned int side) {
+    const auto is_wall = [&](const unsigned int side) {
       return occupancy.locator.neighbor(cell, 2 * direction + side) ==
              CellLocator<dim>::invalid;
     };
@@ -190,7 +194,7 @@ namespace seiche
         bool is_inside = true; // the mean of a hat is its value at the centre
         for (unsigned int d = 0; d < dim; ++d)
           is_inside =
-            is_inside && std::abs(unit[d] - 0.5) <= 0.5 * (1. - edge) + 1e-12;
+            is_inside && std::abs(unit[d] - 0.5) <= 0.5 * (1. - edge) + touches;
         if (is_inside)
           {
             double N[Shape::n_nodes];

@@ -39,15 +39,13 @@ namespace seiche
       if (!view.fill.has_surface())
         return 0.;
       std::array<double, 2> sums{}; // of the points, seen
-      const double *volume = view.points.data(PointColumn::initial_volume);
       for (const unsigned int cell : view.occupancy.occupied_cells())
         {
           const double measure = view.occupancy.locator.measure(cell);
           sums[0] += view.fill.cell_fill(cell) * measure;
-          sums[1] += view.fill.surface().inside_share(cell) * measure;
-          if (const double *loose = view.fill.loose_shares(view.points, cell))
-            for (unsigned int p = 0; p < view.points.n_points_in(cell); ++p)
-              sums[1] += loose[p] * volume[view.points.first_point(cell) + p];
+          sums[1] += (view.fill.inside_share(cell) +
+                      view.fill.loose_volume(cell, view.points)) *
+                     measure;
         }
       Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
                           view.points.communicator,

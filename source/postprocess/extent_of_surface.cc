@@ -179,11 +179,9 @@ namespace seiche
         result.area += area;
         result.volume += mean * area;
       }
-    const double *volume = view.points.data(PointColumn::initial_volume);
     for (const unsigned int cell : view.occupancy.occupied_cells())
-      if (const double *loose = view.fill.loose_shares(view.points, cell))
-        for (unsigned int p = 0; p < view.points.n_points_in(cell); ++p)
-          result.volume += loose[p] * volume[view.points.first_point(cell) + p];
+      result.volume += view.fill.loose_volume(cell, view.points) *
+                       view.occupancy.locator.measure(cell);
     return result;
   }
 

@@ -101,7 +101,8 @@ namespace seiche
           const unsigned int direction) {
         if (is_lumped(lower) && is_lumped(upper))
           return;
-        face_matrix.evaluate({lower, upper, direction, false}, occupancy);
+        face_matrix.evaluate({lower, upper, direction, /*fragment=*/false},
+                             occupancy);
         const unsigned int n = face_matrix.n_nodes;
         const double       factor =
           (fill.is_cut(lower) || fill.is_cut(upper) ? ghost_factor :

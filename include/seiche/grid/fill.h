@@ -79,6 +79,11 @@ namespace seiche
       return has_loose[cell] ? &loose[points.first_point(cell)] : nullptr;
     }
 
+    /// Volume of the points in an own cell that the surface does not represent,
+    /// over the cell's.
+    double
+    loose_volume(const unsigned int cell, const PointCloud<dim> &points) const;
+
     /// Share of a cell that is inside the surface [0,1]: the weight of its
     /// Gauss points; 0 with material points. Own and ghost cells.
     double
@@ -95,9 +100,9 @@ namespace seiche
       return inside_share(cell) == 1.;
     }
 
-    /// True if the free surface passes through the cell, or beside it: it is
-    /// occupied and the inside does not fill it (material points: a vertex
-    /// neighbour inside the domain is not occupied). Own and ghost cells.
+    /// True if the cell is occupied and the inside does not fill it (material
+    /// points: a vertex neighbour inside the domain is not occupied). Own and
+    /// ghost cells.
     bool
     is_cut(const unsigned int cell) const
     {
@@ -176,11 +181,6 @@ namespace seiche
     /// The level set, the cells that it occupies and the loose points.
     void
     find_surface(const PointCloud<dim> &points);
-
-    /// Volume of the points in an own cell that the surface does not represent,
-    /// over the cell's.
-    double
-    loose_volume(const unsigned int cell, const PointCloud<dim> &points) const;
 
     bool
     touches_unoccupied(const unsigned int cell) const;
