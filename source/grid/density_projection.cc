@@ -16,7 +16,6 @@ namespace seiche
   namespace
   {
     constexpr double longest_shift = 0.1; // of the cell, each direction
-    constexpr double inside_from   = 0.5; // nodal fill of the level set's zero
 
     // the shift is small and comes again in the next step
     constexpr double       tolerance      = 1e-2;
@@ -61,20 +60,21 @@ namespace seiche
 
   template <int dim>
   DensityProjection<dim>::DensityProjection(const Fill<dim> &grid_fill,
-                                            const double     T_d)
+                                            const double     density_rate)
     : fill(grid_fill)
     , occupancy(grid_fill.occupancy)
-    , time_constant(T_d)
+    , rate(density_rate)
   {}
 
   template <int dim>
   void
-  DensityProjection<dim>::apply(const double dt, PointCloud<dim> &points)
+  DensityProjection<dim>::apply(const double cells, PointCloud<dim> &points)
   {
-    if (time_constant == 0.)
+    const double share = std::min(1., rate * cells);
+    if (share == 0.)
       return;
     choose_nodes();
-    find_potential(std::min(1., dt / time_constant));
+    find_potential(share);
     move(points);
   }
 
@@ -82,35 +82,17 @@ namespace seiche
   void
   DensityProjection<dim>::choose_nodes()
   {
-    constexpr unsigned int n_vertices = CellLaplacian<dim>::n;
-    const Vector          &f          = fill.nodal_fill();
+    const Vector &f = fill.nodal_fill();
     inverse_diagonal.reinit(occupancy.scalar_partitioner());
-    Vector             is_at_surface(inverse_diagonal);
     CellLaplacian<dim> laplacian;
-    double             at_nodes[HangingNodes<dim>::max_nodes];
-    for (unsigned int cell = 0; cell < occupancy.locator.n_owned(); ++cell)
+    for (const unsigned int cell : occupancy.occupied_cells())
       {
-        if (!occupancy.is_active(cell))
-          continue;
         laplacian.reinit(occupancy.locator.extent(cell));
         const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          at_nodes[a] = f.local_element(nodes[a]);
-        occupancy.expand(cell, at_nodes);
-        bool is_inside = true;
-        for (unsigned int v = 0; v < n_vertices; ++v)
-          is_inside =
-            is_inside && at_nodes[occupancy.vertex_node(v)] >= inside_from;
-        for (unsigned int v = 0; v < n_vertices; ++v)
-          {
-            const unsigned int node = nodes[occupancy.vertex_node(v)];
-            if (!is_inside)
-              is_at_surface.local_element(node) = 1.;
-            if (occupancy.is_occupied(cell))
-              inverse_diagonal.local_element(node) += laplacian.K[v][v];
-          }
+        for (unsigned int v = 0; v < laplacian.n; ++v)
+          inverse_diagonal.local_element(nodes[occupancy.vertex_node(v)]) +=
+            laplacian.K[v][v];
       }
-    is_at_surface.compress(VectorOperation::add);
     inverse_diagonal.compress(VectorOperation::add);
     is_free.reinit(inverse_diagonal);
     bool all_free = true;
@@ -124,7 +106,7 @@ namespace seiche
            ~occupancy.dry_components(i)) != 0;
         const bool free =
           diagonal > 0. && occupancy.node_volume(i) > 0. &&
-          ((is_at_surface.local_element(i) == 0. && !leaves_wall) ||
+          ((fill.inner_nodes().local_element(i) == 1. && !leaves_wall) ||
            f.local_element(i) > 1.);
         all_free                 = all_free && (free || diagonal == 0.);
         is_free.local_element(i) = free;

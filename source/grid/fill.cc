@@ -40,6 +40,7 @@ namespace seiche
     if (has_surface())
       find_surface(points);
     classify(points);
+    mark_inner_nodes();
     collect_ghost_faces();
   }
 
@@ -170,6 +171,24 @@ namespace seiche
     std::vector<double> values(cut.begin(), cut.end());
     locator.exchange_to_ghosts(values);
     std::copy(values.begin(), values.end(), cut.begin());
+  }
+
+  template <int dim>
+  void
+  Fill<dim>::mark_inner_nodes()
+  {
+    // marks of own cells, added: an owner may not see a cell with a hanging
+    // node whose master is its own
+    inner.reinit(node_fill);
+    for (unsigned int cell = 0; cell < occupancy.locator.n_owned(); ++cell)
+      if (occupancy.is_active(cell) &&
+          (is_cut(cell) || !occupancy.is_occupied(cell)))
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          inner.local_element(occupancy.cell_nodes(cell)[a]) = 1.;
+    inner.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      inner.local_element(i) = inner.local_element(i) > 0. ? 0. : 1.;
+    inner.update_ghost_values();
   }
 
   template <int dim>

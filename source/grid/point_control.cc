@@ -30,12 +30,13 @@ namespace seiche
                       "Cells that a point moves in a sweep for a difference "
                       "of one in the fill of neighbouring nodes. [-]",
                       Patterns::Double(0., 0.3));
-    prm.add_parameter("Density time",
-                      density_time,
-                      "With Quadrature/Rule = cut cells: time constant with "
-                      "which points are moved until the nodal fill inside the "
-                      "fluid is one; 0: they are not. [s]",
-                      Patterns::Double(0.));
+    prm.add_parameter("Density rate",
+                      density_rate,
+                      "With Quadrature/Rule = cut cells: share of the error of "
+                      "the nodal fill inside the fluid that is taken back, by "
+                      "moving points, while fluid passes or falls by a cell; "
+                      "0: none. [-]",
+                      Patterns::Double(0., 1000.));
     prm.add_parameter("Reseeding",
                       reseeding,
                       "Split points in cells that hold few of them, merge "

@@ -26,33 +26,15 @@ namespace seiche
 
   template <int dim>
   void
-  Shifting<dim>::mark_surface()
-  {
-    // marks of own cells, added: an owner may not see a cell with a hanging
-    // node whose master is its own
-    inside.reinit(occupancy.scalar_partitioner());
-    for (const unsigned int cell : occupancy.occupied_cells())
-      if (fill.is_cut(cell))
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          inside.local_element(occupancy.cell_nodes(cell)[a]) = 1.;
-    inside.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
-      inside.local_element(i) = inside.local_element(i) > 0. ? 0. : 1.;
-    inside.update_ghost_values();
-  }
-
-  template <int dim>
-  void
   Shifting<dim>::sweep(PointCloud<dim> &points)
   {
     using Shape                       = TensorShape<dim, 1>;
     constexpr unsigned int n_vertices = Shape::n_nodes;
     const auto            &locator    = occupancy.locator;
-    mark_surface();
-    cell_fill.assign(locator.n_cells(), 0.);
+    excess.assign(locator.n_cells(), 0.);
     for (const unsigned int cell : occupancy.occupied_cells())
-      cell_fill[cell] = fill.cell_fill(cell);
-    locator.exchange_to_ghosts(cell_fill);
+      excess[cell] = fill.cell_fill(cell) - fill.inside_share(cell);
+    locator.exchange_to_ghosts(excess);
 
     double N[n_vertices], dN[n_vertices][dim];
     double f[HangingNodes<dim>::max_nodes], s[HangingNodes<dim>::max_nodes];
@@ -63,13 +45,14 @@ namespace seiche
         const unsigned int *nodes = occupancy.cell_nodes(cell);
         for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
           {
-            f[a] = fill.nodal_fill().local_element(nodes[a]);
-            s[a] = inside.local_element(nodes[a]);
+            f[a] = fill.nodal_fill().local_element(nodes[a]) -
+                   fill.inside_fill(nodes[a]);
+            s[a] = fill.inner_nodes().local_element(nodes[a]);
           }
         occupancy.expand(cell, f);
         occupancy.expand(cell, s);
 
-        // of the cell fill, across the lower and the upper face
+        // of the cells' excess, across the lower and the upper face
         double jump[dim][2] = {};
         for (unsigned int d = 0; d < dim; ++d)
           for (const unsigned int side : {0, 1})
@@ -77,7 +60,7 @@ namespace seiche
               const unsigned int other = locator.neighbor(cell, 2 * d + side);
               if (other != locator.invalid)
                 jump[d][side] =
-                  (side == 0 ? -1. : 1.) * (cell_fill[other] - cell_fill[cell]);
+                  (side == 0 ? -1. : 1.) * (excess[other] - excess[cell]);
             }
 
         const PointShift<dim> shift(cell, points);

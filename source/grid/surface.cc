@@ -18,9 +18,6 @@ namespace seiche
     constexpr double       negligible  = 1e-9;  // share of a cell
     constexpr double empty_or_full     = 1e-6;  // fill that needs no correction
 
-    // what of a point the inside does not represent: from all to nothing
-    constexpr double loose_begins = 0.3, loose_range = 0.5;
-    constexpr double loose_below = 0.5;  // share of the cell that is inside
     constexpr double least_loose = 1e-4; // no cell is without quadrature
 
     /// Distance [cells] of a node with this fill from a flat surface, positive
@@ -74,10 +71,7 @@ namespace seiche
   Surface<dim>::loose_share(const unsigned int cell,
                             const Point<dim>  &unit) const
   {
-    using Shape        = TensorShape<dim, 1>;
-    const double share = shares[cell];
-    if (share >= loose_below)
-      return 0.;
+    using Shape = TensorShape<dim, 1>;
     double at_nodes[HangingNodes<dim>::max_nodes], N[Shape::n_nodes];
     const unsigned int *nodes = occupancy.cell_nodes(cell);
     for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
@@ -87,10 +81,8 @@ namespace seiche
     double missing = 1.;
     for (unsigned int v = 0; v < Shape::n_nodes; ++v)
       missing -= N[v] * at_nodes[occupancy.vertex_node(v)];
-    const double result =
-      std::clamp((missing - loose_begins) / loose_range, 0., 1.) *
-      (1. - share / loose_below);
-    return share == 0. ? std::max(result, least_loose) : result;
+    return shares[cell] == 0. ? std::max(missing, least_loose) :
+                                missing * (1. - shares[cell]);
   }
 
   template <int dim>

@@ -23,13 +23,13 @@ namespace seiche
        0.01,
        "the water between surface and walls is not that of the points by more "
        "than 1 %: levels are wrong by as much of the depth",
-       "smaller cells, more Points/Per cell and direction or a smaller "
-       "Points/Density time"},
+       "smaller cells, more Points/Per cell and direction or a larger "
+       "Points/Density rate"},
       {"overfull",
        0.02,
        "more than 2 % of the water is where cells are full already",
-       "a smaller Points/Density time or Time/Step, or more Points/Per cell "
-       "and direction"}};
+       "a larger Points/Density rate, a smaller Time/Step, or more Points/Per "
+       "cell and direction"}};
 
     /// Water that the weak forms see over that of the points, less 1.
     template <int dim>

@@ -33,7 +33,7 @@ namespace seiche
     , mesh_adaptation(grid, locator, points, scene.quadrature.has_surface())
     , occupancy(locator, scene.formulation.degree)
     , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
-    , density_projection(fill, scene.point_control.density_time)
+    , density_projection(fill, scene.point_control.density_rate)
     , point_control(scene.point_control, points, occupancy, fill)
     , body_force(scene.body_force, scene.input)
     , transfer(scene.transfer,
@@ -94,9 +94,11 @@ namespace seiche
       find_material();
     state.time = time_stepper.time();
     effort     = {};
+    double speed; // [1/s]
     {
       const TimerTree::Scope scope_size(timer, "step size");
-      state.dt = time_stepper.next_step(speed_per_cell());
+      speed    = speed_per_cell();
+      state.dt = time_stepper.next_step(speed);
     }
     while (true)
       {
@@ -121,7 +123,7 @@ namespace seiche
       }
     {
       const TimerTree::Scope scope_back(timer, "grid to points");
-      move_points();
+      move_points(speed);
     }
     time_stepper.accept();
     material_is_found = points_are_controlled = false;
@@ -206,7 +208,7 @@ namespace seiche
 
   template <int dim>
   void
-  Simulation<dim>::move_points()
+  Simulation<dim>::move_points(const double speed_per_cell)
   {
     const bool        accepts = scene.time.accepts_failing_steps();
     const std::size_t n_held =
@@ -217,7 +219,8 @@ namespace seiche
                                 std::numeric_limits<double>::infinity());
     formulation->update_points(points);
     if (fill.has_surface())
-      density_projection.apply(state.dt, points);
+      density_projection.apply(
+        std::max(speed_per_cell, step_solver.fall_rate()) * state.dt, points);
     if (accepts)
       accepted_failures.account(
         step_solver.effort(), n_held, state.time, communicator, report);

@@ -8,31 +8,31 @@ namespace seiche
 {
   /**
    * @brief Moves points until they fill the inside of the fluid evenly: the
-   * nodal fill f goes to one with a time constant (Kugelstadt, Longva, Thuerey
-   * and Bender 2019).
+   * nodal fill f goes to one with the way that they go (Kugelstadt, Longva,
+   * Thuerey and Bender 2019).
    *
-   * On the nodes S all of whose cells have a fill of at least 1/2 at every
-   * vertex, and on those with f > 1,
+   * On the nodes S whose cells are all full, and on those with f > 1,
    *
-   *     sum_J psi_J int grad N_I . grad N_J = min(1, dt/T_d) (1 - f_I) V_I,
+   *     sum_J psi_J int grad N_I . grad N_J = min(1, r n) (1 - f_I) V_I,
    *
-   * psi = 0 elsewhere; a point moves by grad psi, its velocity follows by
-   * Taylor with the gradient that it carries. In a full box without a surface
-   * the mean of the right-hand side is left out.
+   * n the cells that fluid passes in the step, psi = 0 elsewhere; a point moves
+   * by grad psi, its velocity follows by Taylor with the gradient that it
+   * carries. In a full box without a surface the mean of the right-hand side is
+   * left out.
    */
   template <int dim>
   class DensityProjection
   {
   public:
-    /// @p time_constant: T_d [s]; 0: nothing happens. @p fill must outlive the
-    /// object.
-    DensityProjection(const Fill<dim> &fill, const double time_constant);
+    /// @p rate: r [-]; 0: nothing happens. @p fill must outlive the object.
+    DensityProjection(const Fill<dim> &fill, const double rate);
 
-    /// Move the points after a step of @p dt [s], at whose start Fill was up to
-    /// date and the points were located. No point moves by more than a tenth of
-    /// its cell in a direction, or through a wall. Collective.
+    /// Move the points after a step in which fluid passes @p cells, at whose
+    /// start Fill was up to date and the points were located. No point moves by
+    /// more than a tenth of its cell in a direction, or through a wall.
+    /// Collective.
     void
-    apply(const double dt, PointCloud<dim> &points);
+    apply(const double cells, PointCloud<dim> &points);
 
     using Vector = typename Occupancy<dim>::Vector;
 
@@ -53,7 +53,7 @@ namespace seiche
 
     const Fill<dim>      &fill;
     const Occupancy<dim> &occupancy;
-    const double          time_constant;
+    const double          rate;
     Vector                potential, is_free, inverse_diagonal;
     bool                  any_fixed = false; ///< else psi has no zero
   };

@@ -143,6 +143,21 @@ namespace seiche
       return node_fill;
     }
 
+    /// The same of the inside of the surface; 0 with material points.
+    double
+    inside_fill(const unsigned int node) const
+    {
+      return has_surface() ? surface().nodal_fill().local_element(node) : 0.;
+    }
+
+    /// 1 at nodes whose cells are all occupied and not cut, 0 at others; own
+    /// and ghost nodes.
+    const Vector &
+    inner_nodes() const
+    {
+      return inner;
+    }
+
     /// Ghost faces that this rank assembles
     /// (Occupancy::for_each_assembled_face).
     const std::vector<GhostFace> &
@@ -188,6 +203,8 @@ namespace seiche
     void
     classify(const PointCloud<dim> &points);
     void
+    mark_inner_nodes();
+    void
     collect_ghost_faces();
 
     const FilledVolume                  filled;
@@ -199,7 +216,7 @@ namespace seiche
     std::vector<double>                 fill, extent_moments;
     std::vector<char>                   cut; ///< own and ghost cells
     std::vector<char>                   linear;
-    Vector                              node_fill;
+    Vector                              node_fill, inner;
     std::vector<GhostFace>              faces;
     double                              overfull = 0.;
   };

@@ -28,7 +28,7 @@ namespace seiche
     bool         reseeding    = false;
     unsigned int fewest       = 0; // points per cell; 0: half of what is seeded
     unsigned int most         = 0; // 0: twice what is seeded
-    double       density_time = 0.1; // of DensityProjection [s], 0: off
+    double       density_rate = 0.5; // of DensityProjection [-], 0: off
 
     void
     add_parameters(dealii::ParameterHandler &prm);

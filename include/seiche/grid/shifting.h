@@ -9,17 +9,19 @@ namespace seiche
   /**
    * @brief Moves points from where they crowd to where they are few.
    *
-   * Fickian shifting (Lind, Xu, Stansby and Rogers 2012) with the fill as the
-   * concentration: in the coordinates of the cell
+   * Fickian shifting (Lind, Xu, Stansby and Rogers 2012) with the fill over
+   * that of the surface's inside as the concentration: in the coordinates of
+   * the cell
    *   delta_d = -C s (df/dxi_d + 0.2 dc/dxi_d),
-   * f the nodal fill with the functions of FE_Q(1), c the fill of the cells
-   * with differences to the face neighbours that are linear between opposite
-   * faces, s = 1 away from the free surface and 0 on it. The first term is a
-   * step of steepest descent for sum_I V_I (f_I - 1)^2, the error of the points
-   * as a quadrature. It does not see full and empty cells that alternate: f is
-   * one everywhere. The second term does; it has a small share because c jumps
-   * whenever a row of points crosses a face. A sweep multiplies the shortest
-   * waves by 1 - 4 C (of f) and 1 - 0.8 dim C (of c): stable for C <= 0.3.
+   * f the difference of the nodal fills with the functions of FE_Q(1), c that
+   * of the cells' fills with differences to the face neighbours that are linear
+   * between opposite faces, s = 1 away from the free surface and 0 on it. The
+   * first term is a step of steepest descent for sum_I V_I f_I^2, the error of
+   * the points as a quadrature. It does not see full and empty cells that
+   * alternate: f is zero everywhere. The second term does; it has a small share
+   * because c jumps whenever a row of points crosses a face. A sweep multiplies
+   * the shortest waves by 1 - 4 C (of f) and 1 - 0.8 dim C (of c): stable for C
+   * <= 0.3.
    *
    * The velocity follows by Taylor, v + C_p delta with the gradient that the
    * point carries, so that a linear field stays what it is.
@@ -38,15 +40,10 @@ namespace seiche
     sweep(PointCloud<dim> &points);
 
   private:
-    /// s at the nodes: 0 on cells that touch unoccupied ones, else 1.
-    void
-    mark_surface();
-
-    const Fill<dim>                &fill;
-    const Occupancy<dim>           &occupancy;
-    const double                    strength;
-    typename Occupancy<dim>::Vector inside;
-    std::vector<double>             cell_fill; // own and ghost cells
+    const Fill<dim>      &fill;
+    const Occupancy<dim> &occupancy;
+    const double          strength;
+    std::vector<double>   excess; ///< c of own and ghost cells
   };
 } // namespace seiche
 

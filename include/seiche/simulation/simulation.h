@@ -84,7 +84,7 @@ namespace seiche
 
     /// The step's result to the points. Collective.
     void
-    move_points();
+    move_points(const double speed_per_cell);
 
     /// Local error of the step's displacements [cells], 0 if it is of no use
     /// or unknown.

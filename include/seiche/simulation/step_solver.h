@@ -10,6 +10,7 @@
 #include <seiche/solve/velocity_projection.h>
 #include <seiche/utilities/timer_tree.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -82,6 +83,15 @@ namespace seiche
     /// [s] and has size @p dt [s].
     double
     wall_way(const double time, const double dt) const;
+
+    /// One over the time [1/s] in which the body force of the last step moves
+    /// fluid at rest by about a cell, sqrt(g/h). Collective.
+    double
+    fall_rate() const
+    {
+      return std::sqrt(assembler.body_force_scale() /
+                       occupancy.smallest_extent());
+    }
 
   private:
     /// Why the walls forbid the step; empty: they do not. NumericalError if no
