@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace seiche
 {
@@ -108,39 +109,75 @@ namespace seiche
 
 
 
-    class PolygonRegion : public Region<2>
+    using Vertex  = boost::geometry::model::d2::point_xy<double>;
+    using Polygon = boost::geometry::model::polygon<Vertex>;
+
+
+
+    /// In 3D a prism along y with vertices x z.
+    template <int dim>
+    class PolygonRegion : public Region<dim>
     {
     public:
-      using Vertex  = boost::geometry::model::d2::point_xy<double>;
-      using Polygon = boost::geometry::model::polygon<Vertex>;
-
-      explicit PolygonRegion(const Polygon &outline)
+      /// @p along_y: from and to in 3D; without bounds the prism is endless
+      /// and @p domain bounds it.
+      PolygonRegion(const Polygon                              &outline,
+                    const std::optional<std::array<double, 2>> &along_y,
+                    const Box<dim>                             &domain)
         : polygon(outline)
         , edges(outline.outer().begin(), outline.outer().end())
+        , span(along_y)
+        , box(find_box(domain))
       {}
 
-      /// The distance.
+      /// The distance; at the ends of a prism the larger of the distances.
       double
-      level(const dealii::Point<2> &x) const override
+      level(const dealii::Point<dim> &x) const override
       {
-        const Vertex place(x[0], x[1]);
-        const double distance = boost::geometry::distance(place, edges);
-        return boost::geometry::within(place, polygon) ? -distance : distance;
+        const Vertex place(x[0], x[dim - 1]);
+        double       distance = boost::geometry::distance(place, edges);
+        if (boost::geometry::within(place, polygon))
+          distance = -distance;
+        if (span)
+          distance = std::max({distance, (*span)[0] - x[1], x[1] - (*span)[1]});
+        return distance;
       }
 
-      Box<2>
+      Box<dim>
       bounding_box() const override
       {
-        boost::geometry::model::box<Vertex> box;
-        boost::geometry::envelope(polygon, box);
-        return Box<2>(
-          {dealii::Point<2>(box.min_corner().x(), box.min_corner().y()),
-           dealii::Point<2>(box.max_corner().x(), box.max_corner().y())});
+        return box;
       }
 
     private:
+      Box<dim>
+      find_box(const Box<dim> &domain) const
+      {
+        auto        corners = domain.get_boundary_points();
+        auto       &lower   = corners.first;
+        auto       &upper   = corners.second;
+        const auto &first   = edges.front();
+        lower[0] = upper[0] = first.x();
+        lower[dim - 1] = upper[dim - 1] = first.y();
+        for (const Vertex &vertex : edges)
+          {
+            lower[0]       = std::min(lower[0], vertex.x());
+            upper[0]       = std::max(upper[0], vertex.x());
+            lower[dim - 1] = std::min(lower[dim - 1], vertex.y());
+            upper[dim - 1] = std::max(upper[dim - 1], vertex.y());
+          }
+        if (span)
+          {
+            lower[1] = (*span)[0];
+            upper[1] = (*span)[1];
+          }
+        return Box<dim>(corners);
+      }
+
       const Polygon                                    polygon;
       const boost::geometry::model::linestring<Vertex> edges;
+      const std::optional<std::array<double, 2>>       span;
+      const Box<dim>                                   box;
     };
 
 
@@ -175,9 +212,7 @@ namespace seiche
 
     /// Twice the signed area of the triangle a, b, c.
     double
-    signed_area(const PolygonRegion::Vertex &a,
-                const PolygonRegion::Vertex &b,
-                const PolygonRegion::Vertex &c)
+    signed_area(const Vertex &a, const Vertex &b, const Vertex &c)
     {
       return (b.x() - a.x()) * (c.y() - a.y()) -
              (b.y() - a.y()) * (c.x() - a.x());
@@ -187,7 +222,7 @@ namespace seiche
 
     /// True if two edges of the closed ring cross in their interiors.
     bool
-    crosses_itself(const std::vector<PolygonRegion::Vertex> &ring)
+    crosses_itself(const std::vector<Vertex> &ring)
     {
       for (std::size_t i = 0; i + 1 < ring.size(); ++i)
         for (std::size_t j = i + 2; j + 1 < ring.size(); ++j)
@@ -204,7 +239,7 @@ namespace seiche
 
 
     /// Vertices "x y, x y, ..." as a closed polygon of either orientation.
-    PolygonRegion::Polygon
+    Polygon
     read_polygon(const InputFile   &input,
                  const std::string &path,
                  const std::string &text)
@@ -214,9 +249,9 @@ namespace seiche
       input.require(numbers.size() >= 6 && numbers.size() % 2 == 0,
                     path,
                     fmt::format("{} number(s) given; at least three vertices "
-                                "\"x y, x y, ...\" are needed.",
+                                "\"x y, x y, ...\" (3D: x z) are needed.",
                                 numbers.size()));
-      PolygonRegion::Polygon polygon;
+      Polygon polygon;
       for (std::size_t i = 0; i < numbers.size(); i += 2)
         polygon.outer().emplace_back(numbers[i], numbers[i + 1]);
       boost::geometry::correct(polygon); // orientation and closing vertex
@@ -250,8 +285,7 @@ namespace seiche
                       shape,
                       "Shape of the body; each uses its own entries below.",
                       dealii::Patterns::Selection(
-                        dim == 2 ? "box|ball|ellipsoid|polygon|expression" :
-                                   "box|ball|ellipsoid|expression"));
+                        "box|ball|ellipsoid|polygon|expression"));
     prm.add_parameter("Lower corner", lower_text, "Of a box. [m]");
     prm.add_parameter("Upper corner", upper_text, "Of a box. [m]");
     prm.add_parameter("Centre", centre_text, "Of a ball or ellipsoid. [m]");
@@ -259,10 +293,16 @@ namespace seiche
     prm.add_parameter("Semi-axes",
                       semi_axes_text,
                       "Of an ellipsoid, one per direction. [m]");
-    if (dim == 2)
-      prm.add_parameter("Vertices",
-                        vertices_text,
-                        "Of a polygon, in order: x y, x y, ... [m]");
+    prm.add_parameter("Vertices",
+                      vertices_text,
+                      dim == 2 ? "Of a polygon, in order: x y, x y, ... [m]" :
+                                 "Of a polygon, in order: x z, x z, ...; the "
+                                 "body is a prism along y. [m]");
+    if (dim == 3)
+      prm.add_parameter("Span",
+                        span_text,
+                        "Of a polygon: from and to in y; empty: the whole "
+                        "domain. [m]");
     prm.add_parameter("Expression",
                       expression_text,
                       "The fluid is where this function of x, y[, z] is "
@@ -324,6 +364,22 @@ namespace seiche
 
 
 
+    template <int dim>
+    std::optional<std::array<double, 2>>
+    read_span(const InputFile &input, const FluidBodyParameters<dim> &body)
+    {
+      if (body.span_text.empty())
+        return {};
+      const auto numbers =
+        entry_values::numbers(input, body.path("Span"), body.span_text);
+      input.require(numbers.size() == 2 && numbers[0] < numbers[1],
+                    body.path("Span"),
+                    "must be two numbers in order, from and to in y.");
+      return std::array<double, 2>{{numbers[0], numbers[1]}};
+    }
+
+
+
     /// InputError unless the body lies in the domain.
     template <int dim>
     void
@@ -340,7 +396,9 @@ namespace seiche
               (box.lower_bound(d) < domain.lower_bound(d) - tolerance ?
                  "Lower corner" :
                  "Upper corner") :
-              (body.shape == "polygon" ? "Vertices" : "Centre");
+              (body.shape != "polygon" ? "Centre" :
+               dim == 3 && d == 1      ? "Span" :
+                                         "Vertices");
           input.require(
             box.lower_bound(d) >= domain.lower_bound(d) - tolerance &&
               box.upper_bound(d) <= domain.upper_bound(d) + tolerance,
@@ -377,9 +435,11 @@ namespace seiche
                         /*n_components=*/1,
                         domain.get_boundary_points().first),
         domain);
-    else if constexpr (dim == 2)
-      region = std::make_unique<PolygonRegion>(
-        read_polygon(input, path("Vertices"), vertices_text));
+    else
+      region = std::make_unique<PolygonRegion<dim>>(
+        read_polygon(input, path("Vertices"), vertices_text),
+        read_span(input, *this),
+        domain);
     Assert(region != nullptr, dealii::ExcInternalError());
     require_inside(input, *this, region->bounding_box(), domain);
     return region;

@@ -365,6 +365,10 @@ GEOMETRY = [
          **added("subsection Fluid body p\n  set Shape = polygon\n"
                  "  set Vertices = 0.5 0, 0.9 0.2\nend\n"),
          line=LAST + 3, expect=['"Vertices" in "Fluid body p"']),
+    Case("span of a polygon in 2D",
+         **added("subsection Fluid body p\n  set Shape = polygon\n"
+                 "  set Span = 0.1, 0.2\nend\n"),
+         line=LAST + 3, expect=['"Span" in "Fluid body p"', '"Vertices"']),
     Case("body without a point", "= 0.4, 0.3",
          "= 0.4, 0.3\nend\nsubsection Fluid body again\n"
          "  set Lower corner = 0, 0\n  set Upper corner = 0.1, 0.1",

@@ -294,6 +294,20 @@ namespace
                 return x.distance(Point<3>(0.53, 0.513, 0.49)) - 0.41;
               },
               0.04});
+    check<3>("ramp, polygon",
+             body("polygon\n set Vertices = 0 0, 1 0, 1 " +
+                  number(0.313 + slope) + ", 0 0.313"),
+             {0.313 + 0.5 * slope,
+              1e-9,
+              [](const Point<3> &x) {
+                return (x[2] - 0.313 - slope * x[0]) *
+                       std::cos(std::atan(slope));
+              },
+              0.01});
+    check<3>("wedge, polygon with span",
+             body("polygon\n set Vertices = 0.1 0.07, 0.9 0.07, 0.9 0.61\n"
+                  "set Span = 0.23, 0.81"),
+             {0.5 * 0.8 * 0.54 * 0.58, 1e-6, {}, 0., true});
     check<3>("ellipsoid",
              body("ellipsoid\n set Centre = 0.53, 0.513, 0.49\n"
                   "set Semi-axes = 0.43, 0.38, 0.21"),

@@ -53,7 +53,8 @@ namespace seiche
    * @brief prm entries of "Fluid body NAME": shape, its sizes, velocity.
    *
    * Shapes: box (corners), ellipsoid (centre, semi-axes; ball: one radius),
-   * polygon (2D, vertices; Boost.Geometry), expression (inside where < 0).
+   * polygon (vertices; Boost.Geometry; in 3D a prism along y), expression
+   * (inside where < 0).
    */
   template <int dim>
   struct FluidBodyParameters
@@ -61,7 +62,7 @@ namespace seiche
     std::string name;
     std::string shape = "box";
     std::string lower_text, upper_text, centre_text, radius_text,
-      semi_axes_text, vertices_text, expression_text;
+      semi_axes_text, vertices_text, span_text, expression_text;
     std::string velocity = (dim == 2 ? "0; 0" : "0; 0; 0"); // [m/s], (x, t=0)
 
     /// Enters the subsection "Fluid body NAME"; set the name before.
