@@ -7,18 +7,13 @@ namespace seiche
 
   namespace
   {
-    constexpr double least_spray = 0.5;  // share of a point that is loose
-    constexpr double slack       = 1e-9; // of a piece: on its edge is inside
-  }                                      // namespace
+    constexpr double slack = 1e-9; // of a piece: on its edge is inside
+  }                                // namespace
 
   template <int dim>
   ExtentOfSurface<dim>::ExtentOfSurface(const StepView<dim> &step)
     : view(step)
     , pieces(moved_surface(step))
-    , spray(step, [&step](const unsigned int cell, const unsigned int point) {
-      const double *loose = step.fill.loose_shares(step.points, cell);
-      return loose != nullptr && loose[point] >= least_spray;
-    })
   {
     find_wet_places();
   }
@@ -166,7 +161,7 @@ namespace seiche
   }
 
   template <int dim>
-  typename FluidExtent<dim>::Surface
+  typename Extent<dim>::Surface
   ExtentOfSurface<dim>::surface() const
   {
     Surface result;

@@ -146,17 +146,19 @@ namespace seiche
   FrontPosition<dim>::execute(const StepView<dim> &view,
                               StatisticsTable     &statistics)
   {
-    const FluidExtent<dim> &fluid = extent->get(view);
+    const FluidExtent<dim> &ends = extent->get(view);
+    constexpr double        none = Extent<dim>::none;
     std::vector<double>     reached; // by the fluid, by spray
     for (const FrontParameters<dim> &front : fronts)
       {
         const double lowest = // a bottom that moves may sink below its start
           front.least_height > 0. ?
             box.lower_corner[dim - 1] + front.least_height :
-            fluid.none;
-        reached.push_back(fluid.farthest(front.axis(), front.sign(), lowest));
+            none;
         reached.push_back(
-          fluid.farthest_spray(front.axis(), front.sign(), lowest));
+          ends.fluid->farthest(front.axis(), front.sign(), lowest));
+        reached.push_back(
+          ends.spray->farthest(front.axis(), front.sign(), lowest));
       }
     maximum_over_ranks(reached, view.points.communicator);
     for (unsigned int f = 0; f < fronts.size(); ++f)
@@ -165,10 +167,10 @@ namespace seiche
         const Point<dim>           &start =
           front.sign() > 0. ? box.lower_corner : box.upper_corner;
         const double farthest =
-          reached[2 * f] == fluid.none ? reached[2 * f + 1] : reached[2 * f];
+          reached[2 * f] == none ? reached[2 * f + 1] : reached[2 * f];
         statistics.set(front.columns()[0],
-                       farthest == fluid.none ? start[front.axis()] :
-                                                front.sign() * farthest);
+                       farthest == none ? start[front.axis()] :
+                                          front.sign() * farthest);
       }
   }
 
@@ -242,7 +244,7 @@ namespace seiche
   WaterLevel<dim>::execute(const StepView<dim> &view,
                            StatisticsTable     &statistics)
   {
-    const FluidExtent<dim> &fluid = extent->get(view);
+    const FluidExtent<dim> &ends = extent->get(view);
     std::vector<double>     level; // of the fluid, of spray
     std::vector<double>     depth(gauges.size(), 0.);
     for (unsigned int g = 0; g < gauges.size(); ++g)
@@ -250,8 +252,8 @@ namespace seiche
         const Point<dim> &place = gauges[g].position;
         const double      width =
           gauges[g].width > 0. ? gauges[g].width : view.smallest_extent;
-        level.push_back(fluid.level(place, width));
-        level.push_back(fluid.spray_level(place, width));
+        level.push_back(ends.fluid->level(place, width));
+        level.push_back(ends.spray->level(place, width));
         depth[g] = mean_depth(view, place, width);
       }
     const MPI_Comm communicator = view.points.communicator;
@@ -262,8 +264,9 @@ namespace seiche
     for (unsigned int g = 0; g < gauges.size(); ++g)
       {
         const auto   columns = gauges[g].columns();
-        const double water =
-          level[2 * g] == fluid.none ? box.lower_corner[dim - 1] : level[2 * g];
+        const double water   = level[2 * g] == Extent<dim>::none ?
+                                 box.lower_corner[dim - 1] :
+                                 level[2 * g];
         statistics.set(columns[0], water);
         statistics.set(columns[1], depth[g]);
         statistics.set(columns[2], std::max(water, level[2 * g + 1]));

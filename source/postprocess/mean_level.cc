@@ -18,7 +18,7 @@ namespace seiche
   MeanLevel<dim>::execute(const StepView<dim> &view,
                           StatisticsTable     &statistics)
   {
-    const auto            surface = extent->get(view).surface();
+    const auto            surface = extent->get(view).fluid->surface();
     std::array<double, 2> sums    = {{surface.area, surface.volume}};
     Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
                         view.points.communicator,

@@ -64,13 +64,14 @@ namespace seiche
   void
   RunUp<dim>::execute(const StepView<dim> &view, StatisticsTable &statistics)
   {
-    const FluidExtent<dim> &fluid  = extent->get(view);
+    const FluidExtent<dim> &ends   = extent->get(view);
     const double            bottom = grid.parameters.lower_corner[dim - 1];
     std::vector<double>     heights; // of the fluid, of spray
     for (const types::boundary_id wall : walls)
       {
-        heights.push_back(std::max(bottom, fluid.wet_height(wall)));
-        heights.push_back(std::max(heights.back(), fluid.spray_height(wall)));
+        heights.push_back(std::max(bottom, ends.fluid->wet_height(wall)));
+        heights.push_back(
+          std::max(heights.back(), ends.spray->wet_height(wall)));
       }
     Utilities::MPI::max(ArrayView<const double>(heights.data(), heights.size()),
                         view.points.communicator,

@@ -162,22 +162,22 @@ namespace
       vertices_in_frame(directory) == n_vertices &&
       std::filesystem::exists(directory + "/surface.pvd") == (n_vertices > 0);
 
-    const auto extent = make_fluid_extent(view);
-    Point<dim> place, above_drop = drop<dim>();
+    const FluidExtent<dim> extent(view);
+    Point<dim>             place, above_drop = drop<dim>();
     place[0]              = 0.87;
     place[dim - 2]        = 0.87;
     const auto over_ranks = [&](const double value) {
       return Utilities::MPI::max(value, communicator);
     };
-    const auto   surface = extent->surface();
+    const auto   surface = extent.fluid->surface();
     const double area    = Utilities::MPI::sum(surface.area, communicator);
-    return {over_ranks(extent->level(place, 0.1)),
-            over_ranks(extent->farthest(0, 1., extent->none)),
-            over_ranks(extent->farthest(0, -1., 0.5)),
-            over_ranks(extent->farthest(dim - 1, -1., extent->none)),
-            over_ranks(extent->wet_height(1)),
-            over_ranks(extent->spray_level(above_drop, 0.1)),
-            over_ranks(extent->spray_height(1)),
+    return {over_ranks(extent.fluid->level(place, 0.1)),
+            over_ranks(extent.fluid->farthest(0, 1., Extent<dim>::none)),
+            over_ranks(extent.fluid->farthest(0, -1., 0.5)),
+            over_ranks(extent.fluid->farthest(dim - 1, -1., Extent<dim>::none)),
+            over_ranks(extent.fluid->wet_height(1)),
+            over_ranks(extent.spray->level(above_drop, 0.1)),
+            over_ranks(extent.spray->wet_height(1)),
             Utilities::MPI::sum(surface.volume, communicator) /
               (area > 0. ? area : 1.),
             all_in_file};
@@ -203,7 +203,7 @@ namespace
   void
   check()
   {
-    const double   none  = FluidExtent<dim>::none;
+    const double   none  = Extent<dim>::none;
     const Readings layer = read<dim>(QuadratureRule::cut_cells, depth);
     const Readings box   = read<dim>(QuadratureRule::cut_cells, 1.);
     const Readings dots  = read<dim>(QuadratureRule::material_points, depth);

@@ -2,18 +2,18 @@
 #ifndef seiche_postprocess_extent_of_surface_h
 #define seiche_postprocess_extent_of_surface_h
 
+#include <seiche/postprocess/extent.h>
 #include <seiche/postprocess/moved_surface.h>
-#include <seiche/postprocess/outermost_points.h>
 
 namespace seiche
 {
-  /// The pieces of the surface, and the wet places of the walls.
+  /// Of the pieces of the surface, and the wet places of the walls.
   template <int dim>
-  class ExtentOfSurface : public FluidExtent<dim>
+  class ExtentOfSurface : public Extent<dim>
   {
   public:
-    using FluidExtent<dim>::none;
-    using typename FluidExtent<dim>::Surface;
+    using Extent<dim>::none;
+    using typename Extent<dim>::Surface;
 
     explicit ExtentOfSurface(const StepView<dim> &step);
 
@@ -25,27 +25,6 @@ namespace seiche
     level(const dealii::Point<dim> &place, const double width) const override;
     double
     wet_height(const dealii::types::boundary_id wall) const override;
-
-    double
-    farthest_spray(const unsigned int axis,
-                   const double       sign,
-                   const double       lowest) const override
-    {
-      return spray.farthest(axis, sign, lowest);
-    }
-
-    double
-    spray_level(const dealii::Point<dim> &place,
-                const double              width) const override
-    {
-      return spray.level(place, width);
-    }
-
-    double
-    spray_height(const dealii::types::boundary_id wall) const override
-    {
-      return spray.wet_height(wall);
-    }
 
     Surface
     surface() const override;
@@ -72,7 +51,6 @@ namespace seiche
 
     const StepView<dim>               &view;
     const std::vector<MovedPiece<dim>> pieces;
-    const OutermostPoints<dim>         spray;
     std::vector<WetPlace>              wet_places;
     std::vector<unsigned int>          under_ceiling; // cells
   };

@@ -2,7 +2,7 @@
 #ifndef seiche_postprocess_outermost_points_h
 #define seiche_postprocess_outermost_points_h
 
-#include <seiche/postprocess/fluid_extent.h>
+#include <seiche/postprocess/extent.h>
 
 #include <algorithm>
 #include <vector>
@@ -11,9 +11,12 @@ namespace seiche
 {
   /// The outermost of the points that are chosen, and half their spacing.
   template <int dim>
-  class OutermostPoints
+  class OutermostPoints : public Extent<dim>
   {
   public:
+    using Extent<dim>::none;
+    using typename Extent<dim>::Surface;
+
     /// @p choice(cell, number of the point in it). @p step must outlive the
     /// object.
     template <typename Choice>
@@ -30,7 +33,7 @@ namespace seiche
     double
     farthest(const unsigned int axis,
              const double       sign,
-             const double       lowest) const
+             const double       lowest) const override
     {
       return with_spacing(largest(axis, sign, [&](const Entry &entry) {
         return view.points.data(PointColumn::position, dim - 1)[entry.point] >=
@@ -39,7 +42,7 @@ namespace seiche
     }
 
     double
-    level(const dealii::Point<dim> &place, const double width) const
+    level(const dealii::Point<dim> &place, const double width) const override
     {
       return with_spacing(largest(dim - 1, 1., [&](const Entry &entry) {
         for (unsigned int d = 0; d + 1 < dim; ++d)
@@ -52,7 +55,7 @@ namespace seiche
 
     /// Of points in the cells at the wall.
     double
-    wet_height(const dealii::types::boundary_id wall) const
+    wet_height(const dealii::types::boundary_id wall) const override
     {
       const auto &locator = view.occupancy.locator;
       return with_spacing(largest(dim - 1, 1., [&](const Entry &entry) {
@@ -62,6 +65,26 @@ namespace seiche
             return true;
         return false;
       }));
+    }
+
+    /// As if the points' water stood on the whole bottom.
+    Surface
+    surface() const override
+    {
+      const auto   &box    = view.occupancy.locator.grid.parameters;
+      const double *volume = view.points.data(PointColumn::initial_volume);
+      Surface       result;
+      if (dealii::Utilities::MPI::this_mpi_process(view.points.communicator) ==
+          0)
+        {
+          result.area = 1.;
+          for (unsigned int d = 0; d + 1 < dim; ++d)
+            result.area *= box.upper_corner[d] - box.lower_corner[d];
+          result.volume = result.area * box.lower_corner[dim - 1];
+        }
+      for (const Entry &entry : chosen)
+        result.volume += volume[entry.point];
+      return result;
     }
 
   private:
@@ -78,7 +101,7 @@ namespace seiche
             const Condition   &condition) const
     {
       const double *x      = view.points.data(PointColumn::position, axis);
-      double        result = FluidExtent<dim>::none;
+      double        result = none;
       for (const Entry &entry : chosen)
         if (condition(entry))
           result = std::max(result, sign * x[entry.point]);
@@ -88,9 +111,7 @@ namespace seiche
     double
     with_spacing(const double outermost) const
     {
-      return outermost == FluidExtent<dim>::none ?
-               outermost :
-               outermost + view.half_spacing;
+      return outermost == none ? outermost : outermost + view.half_spacing;
     }
 
     const StepView<dim> &view;
