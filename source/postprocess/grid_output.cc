@@ -51,11 +51,13 @@ namespace seiche
       grid.add_scalar("cell fill [-]");
       grid.add_scalar("inside share [-]");
       grid.add_scalar("cut [-]");
+      const Fill<dim> &fill = view.fill;
+      if (fill.has_surface())
+        grid.add_scalar("level set [cells]");
 
       const Occupancy<dim>   &occupancy = view.occupancy;
       const CellLocator<dim> &locator   = occupancy.locator;
       const auto             &cells     = occupancy.occupied_cells();
-      const Fill<dim>        &fill      = view.fill;
       grid.patches.resize(cells.size());
       for (std::size_t k = 0; k < cells.size(); ++k)
         {
@@ -84,9 +86,15 @@ namespace seiche
               set_row(dim + d, view.state.displacement(), dim, d);
             }
           set_row(2 * dim, pressure, 1, 0);
-          set_row(2 * dim + 1, fill.nodal_fill(), 1, 0);
-          if (occupancy.fe.degree > 1)
-            interpolate_from_vertices(occupancy, patch.data, 2 * dim + 1);
+          const auto set_vertices = [&](const unsigned int row,
+                                        const auto        &vector) {
+            set_row(row, vector, 1, 0);
+            if (occupancy.fe.degree > 1)
+              interpolate_from_vertices(occupancy, patch.data, row);
+          };
+          set_vertices(2 * dim + 1, fill.nodal_fill());
+          if (fill.has_surface())
+            set_vertices(2 * dim + 5, fill.surface().level_set());
           for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell;
                ++v)
             {
