@@ -68,14 +68,16 @@ namespace seiche
 
   template <int dim>
   void
-  DensityProjection<dim>::apply(const double cells, PointCloud<dim> &points)
+  DensityProjection<dim>::apply(const double            cells,
+                                const BoundingBox<dim> &domain,
+                                PointCloud<dim>        &points)
   {
     const double share = std::min(1., rate * cells);
     if (share == 0.)
       return;
     choose_nodes();
     find_potential(share);
-    move(points);
+    move(domain, points);
   }
 
   template <int dim>
@@ -193,23 +195,21 @@ namespace seiche
 
   template <int dim>
   void
-  DensityProjection<dim>::move(PointCloud<dim> &points) const
+  DensityProjection<dim>::move(const BoundingBox<dim> &domain,
+                               PointCloud<dim>        &points) const
   {
     using Shape         = TensorShape<dim, 1>;
     const auto &locator = occupancy.locator;
     double      N[Shape::n_nodes], dN[Shape::n_nodes][dim];
-    double      psi[HangingNodes<dim>::max_nodes];
+    double      psi[Shape::n_nodes];
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          psi[a] = potential.local_element(nodes[a]);
-        if (std::all_of(psi, psi + occupancy.nodes_per_cell(), [](double x) {
+        occupancy.vertex_values(cell, potential, psi);
+        if (std::all_of(std::begin(psi), std::end(psi), [](const double x) {
               return x == 0.;
             }))
           continue;
-        occupancy.expand(cell, psi);
-        const PointShift<dim> shift(cell, points);
+        const PointShift<dim> shift(cell, points, &domain);
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
              ++p)
@@ -221,7 +221,7 @@ namespace seiche
             Tensor<1, dim> delta; // [cells]
             for (unsigned int v = 0; v < Shape::n_nodes; ++v)
               for (unsigned int d = 0; d < dim; ++d)
-                delta[d] += dN[v][d] * psi[occupancy.vertex_node(v)];
+                delta[d] += dN[v][d] * psi[v];
             for (unsigned int d = 0; d < dim; ++d)
               {
                 const double h = locator.extent(cell)[d];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/fill.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace seiche
@@ -168,6 +169,18 @@ namespace seiche
             extent_moments[cell] = loose * std::pow(share, 2. / dim) / 12.;
           }
       }
+    // full, or (material points) occupied cells
+    const auto &cells = occupancy.occupied_cells();
+    const auto  n_filled =
+      has_surface() ?
+         std::count_if(cells.begin(),
+                      cells.end(),
+                      [&](const unsigned int cell) { return is_full(cell); }) :
+         static_cast<std::ptrdiff_t>(cells.size());
+    free_surface_exists =
+      occupancy.has_open_wall() ||
+      Utilities::MPI::sum<std::uint64_t>(n_filled, points.communicator) <
+        occupancy.n_global_cells();
     std::vector<double> values(cut.begin(), cut.end());
     locator.exchange_to_ghosts(values);
     std::copy(values.begin(), values.end(), cut.begin());

@@ -9,10 +9,12 @@ namespace seiche
   using namespace dealii;
 
   template <int dim>
-  PointShift<dim>::PointShift(const unsigned int own_cell,
-                              PointCloud<dim>   &cloud)
+  PointShift<dim>::PointShift(const unsigned int      own_cell,
+                              PointCloud<dim>        &cloud,
+                              const BoundingBox<dim> *box)
     : cell(own_cell)
     , points(cloud)
+    , domain(box)
   {
     for (unsigned int face = 0; face < 2 * dim; ++face)
       is_wall[face] = points.locator.boundary_id(cell, face) !=
@@ -45,8 +47,13 @@ namespace seiche
         const double length = std::abs(delta[d]);
         if (length > 0. && is_wall[2 * d + up])
           {
-            const double unit     = (place[d] - lower[d]) / extent[d];
-            const double distance = std::max(0., up ? 1. - unit : unit);
+            double distance =
+              up ? lower[d] + extent[d] - place[d] : place[d] - lower[d];
+            if (domain != nullptr)
+              distance = std::min(distance,
+                                  up ? domain->upper_bound(d) - place[d] :
+                                       place[d] - domain->lower_bound(d));
+            distance = std::max(0., distance / extent[d]);
             delta[d] *= distance / (distance + length);
           }
         delta[d] *= extent[d];

@@ -37,20 +37,19 @@ namespace seiche
     locator.exchange_to_ghosts(excess);
 
     double N[n_vertices], dN[n_vertices][dim];
-    double f[HangingNodes<dim>::max_nodes], s[HangingNodes<dim>::max_nodes];
+    double f[n_vertices], f_h[n_vertices], s[n_vertices];
     for (const unsigned int cell : occupancy.occupied_cells())
       {
         if (fill.is_cut(cell))
           continue;
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+        occupancy.vertex_values(cell, fill.nodal_fill(), f);
+        occupancy.vertex_values(cell, fill.inner_nodes(), s);
+        if (fill.has_surface())
           {
-            f[a] = fill.nodal_fill().local_element(nodes[a]) -
-                   fill.inside_fill(nodes[a]);
-            s[a] = fill.inner_nodes().local_element(nodes[a]);
+            occupancy.vertex_values(cell, fill.surface().nodal_fill(), f_h);
+            for (unsigned int v = 0; v < n_vertices; ++v)
+              f[v] -= f_h[v];
           }
-        occupancy.expand(cell, f);
-        occupancy.expand(cell, s);
 
         // of the cells' excess, across the lower and the upper face
         double jump[dim][2] = {};
@@ -63,7 +62,7 @@ namespace seiche
                   (side == 0 ? -1. : 1.) * (excess[other] - excess[cell]);
             }
 
-        const PointShift<dim> shift(cell, points);
+        const PointShift<dim> shift(cell, points, nullptr);
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
              ++p)
@@ -74,10 +73,9 @@ namespace seiche
             Tensor<1, dim> delta;
             for (unsigned int v = 0; v < n_vertices; ++v)
               {
-                const unsigned int node = occupancy.vertex_node(v);
-                weight += N[v] * s[node];
+                weight += N[v] * s[v];
                 for (unsigned int d = 0; d < dim; ++d)
-                  delta[d] -= strength * dN[v][d] * f[node];
+                  delta[d] -= strength * dN[v][d] * f[v];
               }
             for (unsigned int d = 0; d < dim; ++d)
               delta[d] -= strength * cell_share *

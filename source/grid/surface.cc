@@ -72,15 +72,12 @@ namespace seiche
                             const Point<dim>  &unit) const
   {
     using Shape = TensorShape<dim, 1>;
-    double at_nodes[HangingNodes<dim>::max_nodes], N[Shape::n_nodes];
-    const unsigned int *nodes = occupancy.cell_nodes(cell);
-    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-      at_nodes[a] = represented.local_element(nodes[a]);
-    occupancy.expand(cell, at_nodes);
+    double r[Shape::n_nodes], N[Shape::n_nodes];
+    occupancy.vertex_values(cell, represented, r);
     Shape::values(unit, N);
     double missing = 1.;
     for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-      missing -= N[v] * at_nodes[occupancy.vertex_node(v)];
+      missing -= N[v] * r[v];
     return shares[cell] == 0. ? std::max(missing, least_loose) :
                                 missing * (1. - shares[cell]);
   }
@@ -89,14 +86,8 @@ namespace seiche
   VertexValues<dim>
   Surface<dim>::level_in(const unsigned int cell) const
   {
-    double              at_nodes[HangingNodes<dim>::max_nodes];
-    const unsigned int *nodes = occupancy.cell_nodes(cell);
-    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-      at_nodes[a] = level.local_element(nodes[a]);
-    occupancy.expand(cell, at_nodes);
     VertexValues<dim> result;
-    for (unsigned int v = 0; v < result.size(); ++v)
-      result[v] = at_nodes[occupancy.vertex_node(v)];
+    occupancy.vertex_values(cell, level, result.data());
     return result;
   }
 

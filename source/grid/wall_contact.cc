@@ -27,13 +27,11 @@ namespace seiche
   WallContact<dim>::WallContact(const WallConditions<dim> &wall_conditions,
                                 Occupancy<dim>            &grid_occupancy,
                                 const BodyForce<dim>      &force,
-                                const double               fluid_density,
-                                const bool                 surface_needed)
+                                const double               fluid_density)
     : conditions(wall_conditions)
     , occupancy(grid_occupancy)
     , body_force(force)
     , density(fluid_density)
-    , needs_surface(surface_needed)
     , exists(grid_occupancy.locator.grid.parameters.any_unilateral())
   {}
 
@@ -76,9 +74,9 @@ namespace seiche
 
   template <int dim>
   void
-  WallContact<dim>::begin(const GridState<dim> &state)
+  WallContact<dim>::begin(const GridState<dim> &state, const bool closed)
   {
-    active      = exists && !(needs_surface && !occupancy.has_free_surface());
+    active      = exists && !closed;
     projections = 0;
     if (!active)
       return;

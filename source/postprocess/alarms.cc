@@ -22,7 +22,7 @@ namespace seiche
       {"mean level",
        0.01,
        "the water between surface and walls is not that of the points by more "
-       "than 1 %: levels are wrong by as much of the depth",
+       "than 1 %: levels may be wrong by as much of the depth",
        "smaller cells, more Points/Per cell and direction or a larger "
        "Points/Density rate"},
       {"overfull",

@@ -24,9 +24,6 @@ namespace seiche
     // 2^(-2 depth) of the box
     template <int dim>
     constexpr unsigned int max_depth = dim == 2 ? 8 : 4;
-    // to which a box in which no surface was found is divided: tips
-    template <int dim>
-    constexpr unsigned int search_depth = dim == 2 ? 4 : 1;
 
     using Rule = std::array<std::pair<double, double>, 3>;
 

@@ -219,6 +219,19 @@ namespace seiche
     return place;
   }
 
+  template <int dim>
+  dealii::BoundingBox<dim>
+  WallMotion<dim>::box(const double time) const
+  {
+    dealii::Point<dim> lower, upper;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        lower[d] = sides[d][0] + displacement(2 * d, time);
+        upper[d] = sides[d][1] + displacement(2 * d + 1, time);
+      }
+    return dealii::BoundingBox<dim>({lower, upper});
+  }
+
   template class WallMotion<2>;
   template class WallMotion<3>;
 } // namespace seiche

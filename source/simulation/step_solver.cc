@@ -58,11 +58,7 @@ namespace seiche
     , wall_conditions(wall_velocity, wall_motion, occupancy)
     , dry_edges(occupancy)
     , wall_friction(occupancy)
-    , wall_contact(wall_conditions,
-                   occupancy,
-                   body_force,
-                   scene.fluid.density,
-                   is_incompressible)
+    , wall_contact(wall_conditions, occupancy, body_force, scene.fluid.density)
     , matrix(occupancy, has_pressure)
     , assembler(formulation,
                 *quadrature,
@@ -175,7 +171,7 @@ namespace seiche
                                        const StepCoefficients &coefficients,
                                        const bool              projects)
   {
-    wall_contact.begin(state);
+    wall_contact.begin(state, assembler.is_closed());
     while (true)
       {
         wall_conditions.set_start_velocity(state);

@@ -98,8 +98,7 @@ namespace seiche
   Assembler<dim>::is_closed() const
   {
     return formulation.has_pressure() &&
-           formulation.material.is_incompressible() &&
-           !occupancy.has_free_surface();
+           formulation.material.is_incompressible() && !fill.has_free_surface();
   }
 
   template <int dim>

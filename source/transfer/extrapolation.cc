@@ -99,23 +99,26 @@ namespace seiche
         if (donor == CellLocator<dim>::invalid ||
             !occupancy.is_occupied(donor) || !has_field(donor))
           return false;
-        double N[Shape::n_nodes];
+        double N[Shape::n_nodes][Shape::n_nodes], values[Shape::n_nodes];
         for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-          {
-            const unsigned int node = vertex(cell, v);
-            if (is_known(node))
-              continue;
-            count.local_element(node) += 1.;
-            Shape::values(
-              occupancy.locator.to_unit(donor, occupancy.node_position(node)),
-              N);
-            for (Field &field : fields)
-              for (unsigned int c = 0; c < field.n_components; ++c)
-                for (unsigned int w = 0; w < Shape::n_nodes; ++w)
-                  field.sums.local_element(field.n_components * node + c) +=
-                    N[w] * field.values.local_element(
-                             field.n_components * vertex(donor, w) + c);
-          }
+          if (const unsigned int node = vertex(cell, v); !is_known(node))
+            {
+              count.local_element(node) += 1.;
+              Shape::values(
+                occupancy.locator.to_unit(donor, occupancy.node_position(node)),
+                N[v]);
+            }
+        for (Field &field : fields)
+          for (unsigned int c = 0; c < field.n_components; ++c)
+            {
+              occupancy.vertex_values(
+                donor, field.values, values, field.n_components, c);
+              for (unsigned int v = 0; v < Shape::n_nodes; ++v)
+                if (const unsigned int node = vertex(cell, v); !is_known(node))
+                  for (unsigned int w = 0; w < Shape::n_nodes; ++w)
+                    field.sums.local_element(field.n_components * node + c) +=
+                      N[v][w] * values[w];
+            }
         return true;
       }
 

@@ -386,11 +386,11 @@ namespace seiche
       state.acceleration_n.update_ghost_values();
     if (parameters.is_consistent(occupancy.fe.degree))
       find_closest(points, state);
-    if (fill.has_surface())
-      extrapolate_velocity(points, occupancy, state);
     if (method.update == VelocityUpdate::fmpm ||
         method.update == VelocityUpdate::xpic)
       expand_series(points, state);
+    if (fill.has_surface())
+      extrapolate_velocity(points, occupancy, state);
     if (with_acceleration)
       {
         occupancy.for_each_fixed([&](const unsigned int i) {

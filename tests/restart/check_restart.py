@@ -111,7 +111,7 @@ def exact_error_control(make, folder, ranks):
 
 def exact_adaptive(make, folder, ranks):
     """The surface follows from the points alone; its frames go on."""
-    options = ["Points/Density rate = 0", "Output/Mean level = true",
+    options = ["Output/Mean level = true",
                "Run-up right/Wall = right"]
     exact(make(SCENE_ADAPTIVE, ranks, options), folder,
           ["statistics.csv", "surface.pvd"], ["0.13"])

@@ -27,12 +27,14 @@ namespace seiche
     /// @p rate: r [-]; 0: nothing happens. @p fill must outlive the object.
     DensityProjection(const Fill<dim> &fill, const double rate);
 
-    /// Move the points after a step in which fluid passes @p cells, at whose
-    /// start Fill was up to date and the points were located. No point moves by
+    /// Move the points after a step in which fluid passes @p cells, at whose end
+    /// the grid has the box @p domain, and at whose start Fill was up to date and the points were located. No point moves by
     /// more than a tenth of its cell in a direction, or through a wall.
     /// Collective.
     void
-    apply(const double cells, PointCloud<dim> &points);
+    apply(const double                    cells,
+          const dealii::BoundingBox<dim> &domain,
+          PointCloud<dim>                &points);
 
     using Vector = typename Occupancy<dim>::Vector;
 
@@ -49,7 +51,7 @@ namespace seiche
     find_potential(const double share);
 
     void
-    move(PointCloud<dim> &points) const;
+    move(const dealii::BoundingBox<dim> &domain, PointCloud<dim> &points) const;
 
     const Fill<dim>      &fill;
     const Occupancy<dim> &occupancy;

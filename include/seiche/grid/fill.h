@@ -109,6 +109,14 @@ namespace seiche
       return cut[cell];
     }
 
+    /// True if the fluid does not fill the domain, or a side is open: the
+    /// pressure is then known with its constant.
+    bool
+    has_free_surface() const
+    {
+      return free_surface_exists;
+    }
+
     /// Own cells on which elements of degree 2 are multilinear: at the surface
     /// and where there are no points.
     const std::vector<char> &
@@ -141,13 +149,6 @@ namespace seiche
     nodal_fill() const
     {
       return node_fill;
-    }
-
-    /// The same of the inside of the surface; 0 with material points.
-    double
-    inside_fill(const unsigned int node) const
-    {
-      return has_surface() ? surface().nodal_fill().local_element(node) : 0.;
     }
 
     /// 1 at nodes whose cells are all occupied and not cut, 0 at others; own
@@ -218,7 +219,8 @@ namespace seiche
     std::vector<char>                   linear;
     Vector                              node_fill, inner;
     std::vector<GhostFace>              faces;
-    double                              overfull = 0.;
+    double                              overfull            = 0.;
+    bool                                free_surface_exists = true;
   };
 } // namespace seiche
 

@@ -355,12 +355,36 @@ namespace seiche
       return smallest;
     }
 
-    /// True if some cell of the domain is not occupied, or a side is open:
-    /// the pressure is then known with its constant.
-    bool
-    has_free_surface() const
+    /// Active cells of the mesh, all ranks.
+    std::uint64_t
+    n_global_cells() const
     {
-      return global_occupied < global_cells || open_wall;
+      return global_cells;
+    }
+
+    bool
+    has_open_wall() const
+    {
+      return open_wall;
+    }
+
+    /// Values [2^dim] at the vertices of an active cell of component @p c of a
+    /// nodal vector with @p n_components; own and ghost nodes must be there.
+    template <typename VectorType>
+    void
+    vertex_values(const unsigned int cell,
+                  const VectorType  &vector,
+                  double            *values,
+                  const unsigned int n_components = 1,
+                  const unsigned int c            = 0) const
+    {
+      double              at_nodes[HangingNodes<dim>::max_nodes];
+      const unsigned int *nodes = cell_nodes(cell);
+      for (unsigned int a = 0; a < nodes_per_cell(); ++a)
+        at_nodes[a] = vector.local_element(n_components * nodes[a] + c);
+      expand(cell, at_nodes);
+      for (unsigned int v = 0; v < (1u << dim); ++v)
+        values[v] = at_nodes[vertex_node(v)];
     }
 
     /// Call f(lower, upper, direction) for each face between two cells that

@@ -4,6 +4,8 @@
 
 #include <seiche/points/point_cloud.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <array>
 
 namespace seiche
@@ -12,24 +14,30 @@ namespace seiche
    * @brief Moves points of one cell between two steps, without the flow.
    *
    * A shift is shortened before the cell's walls: the distance a from one
-   * becomes a^2/(a + |delta|). No point goes around the edge of an obstacle.
+   * becomes a^2/(a + |delta|), where sides of the domain that move are taken
+   * where they are by then. No point goes around the edge of an obstacle.
    * Its velocity follows by the gradient that it carries.
    */
   template <int dim>
   class PointShift
   {
   public:
-    PointShift(const unsigned int own_cell, PointCloud<dim> &points);
+    /// @p domain: the box of the grid if it has moved since the points were
+    /// located, or null.
+    PointShift(const unsigned int              own_cell,
+               PointCloud<dim>                &points,
+               const dealii::BoundingBox<dim> *domain);
 
     /// @p delta [cells]
     void
     apply(const std::size_t point, dealii::Tensor<1, dim> delta) const;
 
   private:
-    const unsigned int        cell;
-    PointCloud<dim>          &points;
-    std::array<bool, 2 * dim> is_wall; ///< face
-    std::array<double *, dim> position, velocity;
+    const unsigned int              cell;
+    PointCloud<dim>                &points;
+    const dealii::BoundingBox<dim> *domain;
+    std::array<bool, 2 * dim>       is_wall; ///< face
+    std::array<double *, dim>       position, velocity;
     /// d v_c/d x_d at c dim + d; null if points carry none
     std::array<const double *, dim * dim> gradient;
   };

@@ -35,7 +35,7 @@ namespace seiche
 
     /// Move the points; Fill and the points' cells must be up to date, and are
     /// not afterwards. No point moves by more than a quarter of its cell in a
-    /// direction, or through a wall. Local.
+    /// direction, or through a wall. Collective.
     void
     sweep(PointCloud<dim> &points);
 

@@ -32,13 +32,11 @@ namespace seiche
   public:
     using Vector = typename GridState<dim>::Vector;
 
-    /// @p density [kg/m^3]; @p needs_surface: pressure without a free surface
-    /// is not determined. References must outlive the object.
+    /// @p density [kg/m^3]. References must outlive the object.
     WallContact(const WallConditions<dim> &conditions,
                 Occupancy<dim>            &occupancy,
                 const BodyForce<dim>      &body_force,
-                const double               density,
-                const bool                 needs_surface);
+                const double               density);
 
     /// True if there are unilateral walls.
     bool
@@ -48,9 +46,10 @@ namespace seiche
     }
 
     /// Begin an attempt at a step: free is what moves from the wall faster
-    /// than the old pressure stops it. Collective.
+    /// than the old pressure stops it. @p closed: the pressure is known up to a
+    /// constant. Collective.
     void
-    begin(const GridState<dim> &state);
+    begin(const GridState<dim> &state, const bool closed);
 
     /// Correct the set after a projection of velocity_start with
     /// state.reaction = (impulse)/dt. True if it has changed. Collective.
@@ -105,7 +104,6 @@ namespace seiche
     Occupancy<dim>            &occupancy;
     const BodyForce<dim>      &body_force;
     const double               density;
-    const bool                 needs_surface;
     const bool                 exists;
     bool                       active      = false; ///< in this step
     unsigned int               projections = 0;     ///< of this attempt

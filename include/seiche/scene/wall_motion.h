@@ -53,6 +53,10 @@ namespace seiche
     double
     volume_change(const double time, const double dt) const;
 
+    /// The box of the grid at @p time.
+    dealii::BoundingBox<dim>
+    box(const double time) const;
+
     /// Place at @p time of the grid line that was at @p place [m].
     double
     line(const unsigned int direction,
