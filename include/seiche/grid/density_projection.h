@@ -27,10 +27,10 @@ namespace seiche
     /// @p rate: r [-]; 0: nothing happens. @p fill must outlive the object.
     DensityProjection(const Fill<dim> &fill, const double rate);
 
-    /// Move the points after a step in which fluid passes @p cells, at whose end
-    /// the grid has the box @p domain, and at whose start Fill was up to date and the points were located. No point moves by
-    /// more than a tenth of its cell in a direction, or through a wall.
-    /// Collective.
+    /// Move the points after a step in which fluid passes @p cells and at whose
+    /// end the grid has the box @p domain; Fill is that of its start. No point
+    /// moves by more than a tenth of its cell in a direction, or through a
+    /// wall. Collective.
     void
     apply(const double                    cells,
           const dealii::BoundingBox<dim> &domain,

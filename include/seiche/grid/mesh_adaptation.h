@@ -25,7 +25,7 @@ namespace seiche
   {
   public:
     /// Adapts the mesh to the points as they are and shares it out. References
-    /// must outlive the object. @p gauss_in_full_cells: as in Fill. Collective.
+    /// must outlive the object. @p gauss_in_full_cells: cut cells. Collective.
     MeshAdaptation(BackgroundGrid<dim> &grid,
                    CellLocator<dim>    &locator,
                    PointCloud<dim>     &points,
