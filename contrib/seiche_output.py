@@ -123,6 +123,13 @@ class Run:
         ]
         return sorted(frame for frame in frames if os.path.isfile(frame[1]))
 
+    def frame_at(self, kind, time):
+        """File of the frame of this kind at a time [s] of another one, or None."""
+        for other, path in self.frames(kind):
+            if abs(other - time) <= 1e-9 * max(1.0, abs(time)):
+                return path
+        return None
+
 
 def read_frame(path):
     """Arrays of a .vtu file, or of all pieces of a .pvtu file, by name.

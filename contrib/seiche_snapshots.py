@@ -65,10 +65,8 @@ def load_frames(run, number):
 
 def surface(run, time, dim):
     """Lines (2D) or triangles of the free surface [n, dim, dim] [m], or None."""
-    for other, path in run.frames("surface"):
-        if abs(other - time) <= 1e-9 * max(1.0, abs(time)):
-            return read_frame(path)["points"].reshape(-1, dim, 3)[:, :, :dim]
-    return None
+    path = run.frame_at("surface", time)
+    return read_frame(path)["points"].reshape(-1, dim, 3)[:, :, :dim] if path else None
 
 
 def domain(run, positions):
