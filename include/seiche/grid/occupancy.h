@@ -25,11 +25,12 @@ namespace seiche
    *
    * A cell is occupied if it holds a point or has an inside (occupy()), active
    * if it is occupied or at most two cells away from an occupied one at the
-   * time of numbering (the halo). Only nodes of active cells exist for vectors, matrices and
-   * solvers; the numbering lives until a point comes to the edge of the halo.
-   * All fields share the nodes: component c of node i of a vector field is
-   * entry dim*i + c. Local node indices: own nodes first, then ghosts. Hanging
-   * nodes are no unknowns; their masters may lie on cells without fluid.
+   * time of numbering (the halo). Only nodes of active cells exist for vectors,
+   * matrices and solvers; the numbering lives until a point comes to the edge
+   * of the halo. All fields share the nodes: component c of node i of a vector
+   * field is entry dim*i + c. Local node indices: own nodes first, then ghosts.
+   * Hanging nodes are no unknowns; their masters may lie on cells without
+   * fluid.
    *
    * The full numbering of the DoFHandler is known to this class alone.
    */
