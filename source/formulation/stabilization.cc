@@ -185,6 +185,7 @@ namespace seiche
     , is_active(p.is_active())
     , projects_lumped(p.projects_lumped())
     , tau_is_uniform(tau_entry(p.tau).is_uniform)
+    , bears_weight(tau_entry(p.tau).has_inertia)
     , is_split(p.is_split())
     , has_inertia(p.has_inertia())
     , inverse_tau(*tau_entry(p.tau).inverse)
@@ -207,6 +208,11 @@ namespace seiche
     const double                   scale   = cell.h * cell.h * inverse; // [Pa]
     result.momentum                        = 1. / inverse;
     result.continuity                      = p.continuity_factor * scale;
+    if (bears_weight)
+      result.continuity =
+        std::max(result.continuity,
+                 p.continuity_factor * cell.step.inertia * cell.step.dt *
+                   cell.step.dt * cell.density * cell.body_force * cell.h);
     if (p.continuity_time > cell.step.dt)
       result.continuity *= cell.step.dt / p.continuity_time;
     result.continuity +=

@@ -49,7 +49,11 @@ namespace seiche
   Assembler<dim>::reference_tau(const double size) const
   {
     return formulation.stabilization.evaluate(
-      formulation.tau_arguments(step, size, occupancy.fe.degree, /*speed=*/0.));
+      formulation.tau_arguments(step,
+                                size,
+                                occupancy.fe.degree,
+                                /*speed=*/0.,
+                                body_force_scale()));
   }
 
   template <int dim>
@@ -312,7 +316,8 @@ namespace seiche
   Assembler<dim>::ghost_tau(const double size, const unsigned int degree) const
   {
     return 1. / formulation.stabilization.inverse_transient_tau(
-                  formulation.tau_arguments(step, size, degree, /*speed=*/0.));
+                  formulation.tau_arguments(
+                    step, size, degree, /*speed=*/0., /*force=*/0.));
   }
 
   template class Assembler<2>;

@@ -160,15 +160,21 @@ namespace seiche
     tau(const CellData<dim, degree> &cell) const
     {
       return stabilization.evaluate(
-        tau_arguments(cell.coefficients, cell.size, degree, cell.start_speed));
+        tau_arguments(cell.coefficients,
+                      cell.size,
+                      degree,
+                      cell.start_speed,
+                      cell.template body_force_at<double>(0).norm()));
     }
 
-    /// The same of a cell of size @p h [m] with speed [m/s] in its centre.
+    /// The same of a cell of size @p h [m] with a speed [m/s] in its centre and
+    /// a body force [m/s^2].
     TauArguments
     tau_arguments(const StepCoefficients &step,
                   const double            h,
                   const unsigned int      degree,
-                  const double            speed) const
+                  const double            speed,
+                  const double            force) const
     {
       return {step,
               material.density,
@@ -176,7 +182,8 @@ namespace seiche
               material.viscosity(step),
               h,
               degree,
-              speed};
+              speed,
+              force};
     }
 
     const MaterialConstants material;

@@ -83,7 +83,8 @@ namespace seiche
       return step;
     }
 
-    /// tau of a cell of this size [m] (speed zero).
+    /// tau of a cell of this size [m] (speed zero, largest body force).
+    /// Collective.
     Tau
     reference_tau(const double size) const;
 
