@@ -9,6 +9,10 @@ namespace seiche
 
   namespace
   {
+    /// Area of a piece that is a point or a line but for round-off, and whose
+    /// normal says nothing.
+    constexpr double negligible = 1e-12; // of the cell's faces
+
     /// Where the function vanishes on the edge between two vertices of
     /// different sign.
     template <int dim>
@@ -59,7 +63,7 @@ namespace seiche
           const Tensor<1, dim> normal = area_vector<dim>(piece);
           if (normal * (beyond - piece[0]) < 0.)
             std::swap(piece[0], piece[1]);
-          if (normal.norm_square() > 0.)
+          if (normal.norm() > negligible)
             pieces.push_back(piece);
         }
     }

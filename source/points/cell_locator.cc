@@ -107,6 +107,21 @@ namespace seiche
 
 
   template <int dim>
+  dealii::BoundingBox<dim>
+  CellLocator<dim>::domain() const
+  {
+    dealii::Point<dim> lower, upper;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        lower[d] = lines[d].places.front();
+        upper[d] = lines[d].places.back();
+      }
+    return dealii::BoundingBox<dim>({lower, upper});
+  }
+
+
+
+  template <int dim>
   dealii::Point<dim>
   CellLocator<dim>::moved(const dealii::Point<dim> &x) const
   {

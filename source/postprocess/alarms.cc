@@ -2,6 +2,7 @@
 #include <seiche/postprocess/alarms.h>
 
 #include <cmath>
+#include <limits>
 
 namespace seiche
 {
@@ -17,40 +18,71 @@ namespace seiche
       const char *text, *advice;
     };
 
-    // in the order of the values in Alarms::execute()
+    // in the order of the values of measure()
     constexpr Quantity quantities[] = {
-      {"mean level",
+      {"seen volume",
        0.01,
        "the water between surface and walls is not that of the points by more "
        "than 1 %: levels may be wrong by as much of the depth",
        "smaller cells, more Points/Per cell and direction or a larger "
        "Points/Density rate"},
+      {"volume",
+       0.01,
+       "the volume of the points, which the fluid does not change, is wrong by "
+       "more than 1 %",
+       "a smaller Time/Step, a smaller Solver/Newton tolerance or a larger "
+       "Formulation/Tau continuity factor"},
       {"overfull",
        0.02,
        "more than 2 % of the water is where cells are full already",
-       "a larger Points/Density rate, a smaller Time/Step, or more Points/Per "
-       "cell and direction"}};
+       "Quadrature/Rule = cut cells, a larger Points/Density rate, a smaller "
+       "Time/Step, or more Points/Per cell and direction"},
+      {"unseen air",
+       0.001,
+       "a closed domain counts as full of fluid although it holds air: less "
+       "than a third of a cell under the lid, whose pressure is then not zero",
+       "smaller cells, or a level at least half a cell below the lid"}};
 
-    /// Water that the weak forms see over that of the points, less 1.
     template <int dim>
-    double
-    level_error(const StepView<dim> &view)
+    std::array<double, std::size(quantities)>
+    measure(const StepView<dim> &view)
     {
-      if (!view.fill.has_surface())
-        return 0.;
-      std::array<double, 2> sums{}; // of the points, seen
+      const bool is_incompressible =
+        view.bulk_modulus == std::numeric_limits<double>::infinity();
+      const auto &locator = view.occupancy.locator;
+      // cells, points by their first volumes, by their own and as seen
+      std::array<double, 4> sums{};
+      auto &[cells, first, own, seen] = sums;
+      const double *first_volume =
+        view.points.data(PointColumn::initial_volume);
+      const double *ratio = view.points.data(PointColumn::volume_ratio);
+      for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+        cells += locator.measure(cell);
+      for (std::size_t p = 0; p < view.points.size(); ++p)
+        {
+          first += first_volume[p];
+          own += ratio[p] * first_volume[p];
+        }
+      double filled = 0.;
       for (const unsigned int cell : view.occupancy.occupied_cells())
         {
-          const double measure = view.occupancy.locator.measure(cell);
-          sums[0] += view.fill.cell_fill(cell) * measure;
-          sums[1] += (view.fill.inside_share(cell) +
-                      view.fill.loose_volume(cell, view.points)) *
-                     measure;
+          filled += view.fill.cell_fill(cell) * locator.measure(cell);
+          seen += (view.fill.inside_share(cell) +
+                   view.fill.loose_volume(cell, view.points)) *
+                  locator.measure(cell);
         }
+      seen -= filled;
       Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
                           view.points.communicator,
                           ArrayView<double>(sums.data(), sums.size()));
-      return sums[0] > 0. ? sums[1] / sums[0] - 1. : 0.;
+      if (first == 0.)
+        return {};
+      return {{view.fill.has_surface() ? seen / first : 0.,
+               is_incompressible ? own / first - 1. : 0.,
+               view.fill.overfull_fraction(),
+               is_incompressible && !view.fill.has_free_surface() ?
+                 1. - first / cells :
+                 0.}};
     }
   } // namespace
 
@@ -60,8 +92,7 @@ namespace seiche
                        StatisticsTable & /*statistics*/)
   {
     static_assert(std::size(quantities) == n_quantities);
-    const std::array<double, n_quantities> values = {
-      {level_error(view), view.fill.overfull_fraction()}};
+    const std::array<double, n_quantities> values = measure(view);
     new_alarms.clear();
     for (unsigned int i = 0; i < n_quantities; ++i)
       {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/cut_cell.h>
 #include <seiche/postprocess/extent_of_surface.h>
 
 namespace seiche
@@ -8,7 +9,52 @@ namespace seiche
   namespace
   {
     constexpr double slack = 1e-9; // of a piece: on its edge is inside
-  }                                // namespace
+
+    /// Height of @p piece at the place of it that stands over (or under) @p
+    /// place in @p plan, or none.
+    template <int dim>
+    double
+    height(const SurfacePiece<dim> &piece,
+           const SurfacePiece<dim> &plan,
+           const Point<dim>        &place)
+    {
+      // share of the plan across each vertex: (signed) sizes
+      std::array<double, dim> share;
+      double                  whole = 0.;
+      for (unsigned int v = 0; v < dim; ++v)
+        {
+          SurfacePiece<dim> part = plan;
+          part[v]                = place;
+          share[v]               = area_vector<dim>(part)[dim - 1];
+          whole += share[v];
+        }
+      // a vertical one ends at others
+      double size = 0.;
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        size += std::abs(area_vector<dim>(plan)[d]);
+      if (std::abs(whole) <= slack * size)
+        return Extent<dim>::none;
+      double result = 0.;
+      for (unsigned int v = 0; v < dim; ++v)
+        {
+          if (share[v] / whole < -slack)
+            return Extent<dim>::none;
+          result += share[v] / whole * piece[v][dim - 1];
+        }
+      return result;
+    }
+
+    /// Share of the upper face of a cell that is inside.
+    template <int dim>
+    double
+    share_of_upper_face(const VertexValues<dim> &level)
+    {
+      VertexValues<dim> extruded;
+      for (unsigned int v = 0; v < level.size(); ++v)
+        extruded[v] = level[v | (1u << (dim - 1))];
+      return CutCell<dim>(extruded).volume();
+    }
+  } // namespace
 
   template <int dim>
   ExtentOfSurface<dim>::ExtentOfSurface(const StepView<dim> &step)
@@ -85,37 +131,6 @@ namespace seiche
 
   template <int dim>
   double
-  ExtentOfSurface<dim>::height(const SurfacePiece<dim> &piece,
-                               const Point<dim>        &place) const
-  {
-    // share of the piece's projection across each vertex: (signed) sizes
-    std::array<double, dim> share;
-    double                  whole = 0.;
-    for (unsigned int v = 0; v < dim; ++v)
-      {
-        SurfacePiece<dim> part = piece;
-        part[v]                = place;
-        share[v]               = area_vector<dim>(part)[dim - 1];
-        whole += share[v];
-      }
-    // a vertical one ends at others
-    double size = 0.;
-    for (unsigned int d = 0; d + 1 < dim; ++d)
-      size += std::abs(area_vector<dim>(piece)[d]);
-    if (std::abs(whole) <= slack * size)
-      return none;
-    double result = 0.;
-    for (unsigned int v = 0; v < dim; ++v)
-      {
-        if (share[v] / whole < -slack)
-          return none;
-        result += share[v] / whole * piece[v][dim - 1];
-      }
-    return result;
-  }
-
-  template <int dim>
-  double
   ExtentOfSurface<dim>::ceiling(const Point<dim> &place) const
   {
     const auto &locator = view.occupancy.locator;
@@ -133,9 +148,20 @@ namespace seiche
           here +=
             level[v] * GeometryInfo<dim>::d_linear_shape_function(unit, v);
         if (inside && here < 0.)
-          result = std::max(result, locator.upper_corner(cell)[dim - 1]);
+          result = std::max(result, ceiling_over(cell));
       }
     return result;
+  }
+
+  template <int dim>
+  double
+  ExtentOfSurface<dim>::ceiling_over(const unsigned int cell) const
+  {
+    const auto        &locator = view.occupancy.locator;
+    const unsigned int top     = 2 * dim - 1;
+    return locator.boundary_id(cell, top) == top ?
+             view.box.get_boundary_points().second[dim - 1] :
+             locator.upper_corner(cell)[dim - 1];
   }
 
   template <int dim>
@@ -145,7 +171,25 @@ namespace seiche
   {
     double result = ceiling(place);
     for (const MovedPiece<dim> &piece : pieces)
-      result = std::max(result, height(piece.place, place));
+      result = std::max(result, height<dim>(piece.place, piece.place, place));
+    return result;
+  }
+
+  template <int dim>
+  double
+  ExtentOfSurface<dim>::level_left(const Point<dim> &place) const
+  {
+    const auto &locator = view.occupancy.locator;
+    double      result  = Extent<dim>::none;
+    for (const MovedPiece<dim> &piece : pieces)
+      {
+        SurfacePiece<dim> before = piece.unit;
+        for (Point<dim> &x : before)
+          for (unsigned int d = 0; d < dim; ++d)
+            x[d] = locator.lower_corner(piece.cell)[d] +
+                   x[d] * locator.extent(piece.cell)[d];
+        result = std::max(result, height<dim>(piece.place, before, place));
+      }
     return result;
   }
 
@@ -174,9 +218,20 @@ namespace seiche
         result.area += area;
         result.volume += mean * area;
       }
+    // where the fluid stands at the lid, that is its surface
+    const auto &locator = view.occupancy.locator;
+    for (const unsigned int cell : under_ceiling)
+      if (locator.boundary_id(cell, 2 * dim - 1) == 2 * dim - 1)
+        {
+          const double area =
+            share_of_upper_face<dim>(view.fill.surface().level_in(cell)) *
+            locator.measure(cell) / locator.extent(cell)[dim - 1];
+          result.area += area;
+          result.volume += area * ceiling_over(cell);
+        }
     for (const unsigned int cell : view.occupancy.occupied_cells())
-      result.volume += view.fill.loose_volume(cell, view.points) *
-                       view.occupancy.locator.measure(cell);
+      result.volume +=
+        view.fill.loose_volume(cell, view.points) * locator.measure(cell);
     return result;
   }
 

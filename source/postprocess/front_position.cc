@@ -10,32 +10,6 @@ namespace seiche
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// Integral over lower < x < upper of the hat that falls from 1 at x = @p
-    /// top to 0 at the distance @p width.
-    double
-    hat_integral(const double top,
-                 const double width,
-                 const double lower,
-                 const double upper)
-    {
-      const auto from_top = [width](const double distance) {
-        const double x = std::clamp(distance, -width, width);
-        return x * (1. - 0.5 * std::abs(x) / width);
-      };
-      return std::max(0., from_top(upper - top) - from_top(lower - top));
-    }
-
-    void
-    maximum_over_ranks(std::vector<double> &values, const MPI_Comm communicator)
-    {
-      Utilities::MPI::max(ArrayView<const double>(values.data(), values.size()),
-                          communicator,
-                          ArrayView<double>(values.data(), values.size()));
-    }
-  } // namespace
-
   template <int dim>
   void
   FrontParameters<dim>::add_parameters(ParameterHandler &prm)
@@ -90,48 +64,6 @@ namespace seiche
   }
 
   template <int dim>
-  void
-  GaugeParameters<dim>::add_parameters(ParameterHandler &prm)
-  {
-    prm.add_parameter("Position",
-                      position,
-                      "Place of the gauge; its vertical (last) coordinate is "
-                      "ignored. [m]",
-                      *Patterns::Tools::Convert<Point<dim>>::to_pattern(),
-                      /*has_to_be_set=*/true);
-    prm.add_parameter("Width",
-                      width,
-                      "Of the points those within this distance on either "
-                      "side count: as spray, without cut cells as fluid, and "
-                      "in the depth with weights that fall to zero there; 0: "
-                      "the smallest cell edge. [m]",
-                      Patterns::Double(0.));
-  }
-
-  template <int dim>
-  void
-  GaugeParameters<dim>::check(const InputFile           &input,
-                              const BackgroundGrid<dim> &grid) const
-  {
-    const GridParameters<dim> &box = grid.parameters;
-    for (unsigned int d = 0; d + 1 < dim; ++d)
-      input.require(position[d] >= box.lower_corner[d] &&
-                      position[d] <= box.upper_corner[d],
-                    std::string(kind) + " " + name + "/Position",
-                    "the gauge stands outside the domain; its horizontal "
-                    "coordinates must lie between the corners of \"Grid\".");
-  }
-
-  template <int dim>
-  std::vector<std::string>
-  GaugeParameters<dim>::columns() const
-  {
-    return {"gauge " + name + " [m]",
-            "depth " + name + " [m]",
-            "gauge " + name + " spray [m]"};
-  }
-
-  template <int dim>
   FrontPosition<dim>::FrontPosition(
     const std::vector<FrontParameters<dim>>       &parameters,
     const BackgroundGrid<dim>                     &grid,
@@ -174,135 +106,8 @@ namespace seiche
       }
   }
 
-  template <int dim>
-  WaterLevel<dim>::WaterLevel(
-    const std::vector<GaugeParameters<dim>>       &parameters,
-    const BackgroundGrid<dim>                     &grid,
-    const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent)
-    : gauges(parameters)
-    , box(grid.parameters)
-    , extent(fluid_extent)
-  {}
-
-  template <int dim>
-  bool
-  WaterLevel<dim>::stands_on_bottom(const Obstacle &obstacle) const
-  {
-    const double bottom = box.lower_corner[dim - 1];
-    return obstacle.lower_corner[dim - 1] <=
-           bottom + 1e-9 * (box.upper_corner[dim - 1] - bottom);
-  }
-
-  template <int dim>
-  bool
-  WaterLevel<dim>::is_over_obstacle(const Point<dim> &place) const
-  {
-    const auto is_inside = [&place](const Obstacle &obstacle) {
-      for (unsigned int d = 0; d + 1 < dim; ++d)
-        {
-          const double lower = obstacle.lower_corner[d],
-                       upper = obstacle.upper_corner[d],
-                       edge  = 1e-9 * (upper - lower);
-          if (place[d] < lower + edge || place[d] > upper - edge)
-            return false;
-        }
-      return true;
-    };
-    for (const auto &obstacle : box.obstacles)
-      if (stands_on_bottom(obstacle) && is_inside(obstacle))
-        return true;
-    return false;
-  }
-
-  template <int dim>
-  typename WaterLevel<dim>::Footprint
-  WaterLevel<dim>::footprint(const Point<dim> &position,
-                             const double      width) const
-  {
-    const auto under = [&](const Point<dim> &lower, const Point<dim> &upper) {
-      double result = 1.;
-      for (unsigned int d = 0; d + 1 < dim; ++d)
-        result *= hat_integral(position[d],
-                               width,
-                               std::max(lower[d], box.lower_corner[d]),
-                               std::min(upper[d], box.upper_corner[d]));
-      return result;
-    };
-    const double whole    = under(box.lower_corner, box.upper_corner);
-    double       obstacle = 0.;
-    for (const auto &o : box.obstacles)
-      if (stands_on_bottom(o))
-        obstacle += under(o.lower_corner, o.upper_corner);
-    // between two obstacles that touch there is nothing but round-off
-    const bool on_obstacle =
-      is_over_obstacle(position) || whole - obstacle < 1e-9 * whole;
-    return {on_obstacle, on_obstacle ? obstacle : whole - obstacle};
-  }
-
-  template <int dim>
-  void
-  WaterLevel<dim>::execute(const StepView<dim> &view,
-                           StatisticsTable     &statistics)
-  {
-    const FluidExtent<dim> &ends = extent->get(view);
-    std::vector<double>     level; // of the fluid, of spray
-    std::vector<double>     depth(gauges.size(), 0.);
-    for (unsigned int g = 0; g < gauges.size(); ++g)
-      {
-        const Point<dim> &place = gauges[g].position;
-        const double      width =
-          gauges[g].width > 0. ? gauges[g].width : view.smallest_extent;
-        level.push_back(ends.fluid->level(place, width));
-        level.push_back(ends.spray->level(place, width));
-        depth[g] = mean_depth(view, place, width);
-      }
-    const MPI_Comm communicator = view.points.communicator;
-    maximum_over_ranks(level, communicator);
-    Utilities::MPI::sum(ArrayView<const double>(depth.data(), depth.size()),
-                        communicator,
-                        ArrayView<double>(depth.data(), depth.size()));
-    for (unsigned int g = 0; g < gauges.size(); ++g)
-      {
-        const auto   columns = gauges[g].columns();
-        const double water   = level[2 * g] == Extent<dim>::none ?
-                                 box.lower_corner[dim - 1] :
-                                 level[2 * g];
-        statistics.set(columns[0], water);
-        statistics.set(columns[1], depth[g]);
-        statistics.set(columns[2], std::max(water, level[2 * g + 1]));
-      }
-  }
-
-  template <int dim>
-  double
-  WaterLevel<dim>::mean_depth(const StepView<dim> &view,
-                              const Point<dim>    &place,
-                              const double         width) const
-  {
-    const double *volume = view.points.data(PointColumn::initial_volume);
-    std::array<const double *, dim - 1> x;
-    for (unsigned int d = 0; d + 1 < dim; ++d)
-      x[d] = view.points.data(PointColumn::position, d);
-    const Footprint foot   = footprint(place, width);
-    double          result = 0.;
-    for (std::size_t i = 0; i < view.points.size(); ++i)
-      {
-        double weight = 1.;
-        for (unsigned int d = 0; d + 1 < dim; ++d)
-          weight *= std::max(0., 1. - std::abs(x[d][i] - place[d]) / width);
-        if (weight > 0. &&
-            is_over_obstacle(view.points.position(i)) == foot.on_obstacle)
-          result += weight * volume[i] / foot.area;
-      }
-    return result;
-  }
-
   template struct FrontParameters<2>;
   template struct FrontParameters<3>;
-  template struct GaugeParameters<2>;
-  template struct GaugeParameters<3>;
   template class FrontPosition<2>;
   template class FrontPosition<3>;
-  template class WaterLevel<2>;
-  template class WaterLevel<3>;
 } // namespace seiche

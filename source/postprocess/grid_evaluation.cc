@@ -60,10 +60,10 @@ namespace seiche
   bool
   GridEvaluation<dim>::find(const Point<dim> &x, const double theta)
   {
-    const CellLocator<dim>    &locator = occupancy.locator;
-    const GridParameters<dim> &box     = locator.grid.parameters;
+    const CellLocator<dim> &locator = occupancy.locator;
+    const auto [lower, upper]       = locator.domain().get_boundary_points();
 
-    Point<dim> xi = clamp(x, box.lower_corner, box.upper_corner);
+    Point<dim> xi = clamp(x, lower, upper);
     cell          = locator.find(xi, cell);
     if (cell == CellLocator<dim>::invalid || !occupancy.is_active(cell))
       return false;
@@ -72,8 +72,8 @@ namespace seiche
       {
         const Point<dim> next =
           clamp(Point<dim>(x - theta * vector_value(view.state.displacement())),
-                box.lower_corner,
-                box.upper_corner);
+                lower,
+                upper);
         const unsigned int next_cell = locator.find(next, cell);
         // into an obstacle or beyond what this rank knows: stay
         if (next_cell == CellLocator<dim>::invalid ||

@@ -25,10 +25,10 @@ namespace seiche
                         ArrayView<double>(sums.data(), sums.size()));
     // fluid that fills a box has no surface but for round-off
     const double cell = std::pow(view.smallest_extent, dim - 1);
-    const auto  &box  = view.occupancy.locator.grid.parameters;
     statistics.set(column,
-                   sums[0] > 1e-6 * cell ? sums[1] / sums[0] :
-                                           box.lower_corner[dim - 1]);
+                   sums[0] > 1e-6 * cell ?
+                     sums[1] / sums[0] :
+                     view.box.get_boundary_points().first[dim - 1]);
   }
 
   template class MeanLevel<2>;

@@ -15,6 +15,7 @@
 #include <seiche/postprocess/surface_output.h>
 #include <seiche/postprocess/tracked_points.h>
 #include <seiche/postprocess/wall_forces.h>
+#include <seiche/postprocess/water_level.h>
 #include <seiche/scene/entry_values.h>
 
 #include <deal.II/base/parameter_handler.h>

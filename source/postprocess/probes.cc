@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
 #include <seiche/postprocess/grid_evaluation.h>
+#include <seiche/postprocess/place_with_walls.h>
 #include <seiche/postprocess/probes.h>
 #include <seiche/utilities/axis_names.h>
 
@@ -185,12 +186,14 @@ namespace seiche
         const bool          scalar = probes[k].quantity == "pressure";
         Tensor<1, dim>      sum;
         GridEvaluation<dim> here(view);
-        for (const Point<dim> &x : places[k])
+        for (const Point<dim> &place : places[k])
           {
-            const unsigned int cell = locator.find(x);
+            const unsigned int cell =
+              locator.find(place_with_walls(view, place, 0.));
+            const double theta = scalar ? view.pressure_theta : 1.;
             if (cell == CellLocator<dim>::invalid ||
                 locator.owner(cell) != rank ||
-                !here.find(x, scalar ? view.pressure_theta : 1.))
+                !here.find(place_with_walls(view, place, theta), theta))
               continue;
             if (scalar)
               sum[0] += here.value(p);

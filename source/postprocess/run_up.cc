@@ -64,18 +64,16 @@ namespace seiche
   void
   RunUp<dim>::execute(const StepView<dim> &view, StatisticsTable &statistics)
   {
-    const FluidExtent<dim> &ends   = extent->get(view);
-    const double            bottom = grid.parameters.lower_corner[dim - 1];
-    std::vector<double>     heights; // of the fluid, of spray
+    const FluidExtent<dim> &ends = extent->get(view);
+    const double        bottom = view.box.get_boundary_points().first[dim - 1];
+    std::vector<double> heights; // of the fluid, of spray
     for (const types::boundary_id wall : walls)
       {
         heights.push_back(std::max(bottom, ends.fluid->wet_height(wall)));
         heights.push_back(
           std::max(heights.back(), ends.spray->wet_height(wall)));
       }
-    Utilities::MPI::max(ArrayView<const double>(heights.data(), heights.size()),
-                        view.points.communicator,
-                        ArrayView<double>(heights.data(), heights.size()));
+    maximum_over_ranks(heights, view.points.communicator);
     for (unsigned int r = 0; r < run_ups.size(); ++r)
       for (unsigned int c = 0; c < 2; ++c)
         statistics.set(run_ups[r].columns()[c], heights[2 * r + c]);

@@ -57,6 +57,7 @@ namespace seiche
                        at_end ? 1. : theta,
                        seeding.half_spacing,
                        occupancy.smallest_extent(),
+                       wall_motion.box(time),
                        effort.newton,
                        effort.krylov};
     std::vector<double> values = {static_cast<double>(step),

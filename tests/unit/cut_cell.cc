@@ -76,6 +76,58 @@ namespace
     return error;
   }
 
+  /// Corners of the cell cut off by a plane: simplices.
+  template <int dim>
+  double
+  error_of_corners()
+  {
+    std::mt19937 generator(5);
+    double       error = 0.;
+    for (unsigned int corner = 0; corner < CutCell<dim>::n_vertices; ++corner)
+      for (unsigned int i = 0; i < 20; ++i)
+        {
+          Tensor<1, dim> edge, normal; // lengths along the cell's edges
+          double         distance = 1., volume = dim == 2 ? 0.5 : 1. / 6.;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              edge[d] = 0.05 + 0.95 * generator() / generator.max();
+              volume *= edge[d];
+              const bool upper = (corner >> d & 1u) != 0;
+              normal[d]        = (upper ? -1. : 1.) / edge[d];
+              distance += upper ? normal[d] : 0.;
+            }
+          std::array<double, 1 + dim + dim * dim> exact{};
+          exact[0] = volume;
+          Tensor<1, dim> sign, origin;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              origin[d] = corner >> d & 1u;
+              sign[d]   = 1. - 2. * origin[d];
+            }
+          // x = origin + sign y, int y_d = V a_d/(dim + 1), int y_d y_e = V
+          // a_d a_e (1 + delta_de)/((dim + 1)(dim + 2))
+          const auto first = [&](const unsigned int d) {
+            return volume * edge[d] / (dim + 1);
+          };
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              exact[1 + d] = origin[d] * volume + sign[d] * first(d);
+              for (unsigned int e = 0; e < dim; ++e)
+                exact[1 + dim + d * dim + e] =
+                  origin[d] * origin[e] * volume +
+                  origin[d] * sign[e] * first(e) +
+                  origin[e] * sign[d] * first(d) +
+                  sign[d] * sign[e] * volume * edge[d] * edge[e] *
+                    (d == e ? 2. : 1.) / ((dim + 1) * (dim + 2));
+            }
+          const auto found =
+            moments(CutCell<dim>(plane<dim>(normal, distance)));
+          for (unsigned int k = 0; k < found.size(); ++k)
+            error = std::max(error, std::abs(found[k] - exact[k]));
+        }
+    return error;
+  }
+
   /// Both sides of oblique planes against the whole cell; volumes against the
   /// share of many points.
   template <int dim>
@@ -134,6 +186,8 @@ namespace
   {
     std::cout << dim << "D, Gauss points of a cell cut along an axis: "
               << (error_along_axes<dim>() < 1e-12 ? "yes" : "NO") << '\n';
+    std::cout << dim << "D, moments of corners cut off: "
+              << (error_of_corners<dim>() < 1e-12 ? "yes" : "NO") << '\n';
     check_planes<dim>();
     VertexValues<dim> positive;
     positive.fill(1.);

@@ -84,7 +84,8 @@ namespace
 
   struct Readings
   {
-    double level, front, front_above, front_below, wet, spray, wet_spray;
+    double level, at_wall, left;
+    double front, front_above, front_below, wet, spray, wet_spray;
     double surface_height;
     bool   all_in_file;
   };
@@ -141,7 +142,8 @@ namespace
                              1.,
                              1.,
                              0.5 * spacing,
-                             1. / n_cells};
+                             1. / n_cells,
+                             locator.domain()};
 
     const std::string directory = "surface" + std::to_string(dim) + "d";
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -171,7 +173,11 @@ namespace
     };
     const auto   surface = extent.fluid->surface();
     const double area    = Utilities::MPI::sum(surface.area, communicator);
+    Point<dim>   wall    = place; // which the fluid has left
+    wall[0]              = 1.;
     return {over_ranks(extent.fluid->level(place, 0.1)),
+            over_ranks(extent.fluid->level(wall, 0.1)),
+            over_ranks(extent.fluid->level_left(wall)),
             over_ranks(extent.fluid->farthest(0, 1., Extent<dim>::none)),
             over_ranks(extent.fluid->farthest(0, -1., 0.5)),
             over_ranks(extent.fluid->farthest(dim - 1, -1., Extent<dim>::none)),
@@ -215,6 +221,10 @@ namespace
     const double      peak  = drop<dim>()[dim - 1] + 0.5 * spacing;
     const double      water = std::pow(spacing, dim);
     say(in + "level", is(layer.level, top), layer.level);
+    say(in + "none at a wall that it has left",
+        layer.at_wall == none,
+        layer.at_wall);
+    say(in + "what has left the wall", is(layer.left, top), layer.left);
     say(in + "front", is(layer.front, 0.96), layer.front);
     say(in + "front above a height",
         is(layer.front_above, 0.),
@@ -230,6 +240,9 @@ namespace
         layer.all_in_file && box.all_in_file && dots.all_in_file,
         layer.all_in_file);
     say(in + "level of a full box", is(box.level, 1.), box.level);
+    say(in + "mean height of a full box",
+        is(box.surface_height, 1.),
+        box.surface_height);
     say(in + "wet height of a full box", is(box.wet, 1.02), box.wet);
     say(in + "points: level", is(dots.level, depth), dots.level);
     say(in + "points: front", is(dots.front, 1.), dots.front);

@@ -300,7 +300,8 @@ namespace
                                  theta,
                                  with_pressure ? theta : 1.,
                                  0.0625,
-                                 0.25};
+                                 0.25,
+                                 occupancy.locator.domain()};
         statistics.set("time [s]", view.time);
         statistics.set("dt [s]", view.dt);
         statistics.set("pressure_time [s]", view.pressure_time);

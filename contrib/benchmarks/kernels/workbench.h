@@ -121,6 +121,7 @@ struct Workbench : ParsedScene<dim>
             0.5,
             0.,
             occupancy.smallest_extent(),
+            locator.domain(),
             0,
             0};
   }

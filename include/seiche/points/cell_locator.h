@@ -220,6 +220,10 @@ namespace seiche
     dealii::types::boundary_id
     wall_beyond(const dealii::Point<dim> &x) const;
 
+    /// The domain's box as it stands.
+    dealii::BoundingBox<dim>
+    domain() const;
+
     const BackgroundGrid<dim> &grid;
 
   private:

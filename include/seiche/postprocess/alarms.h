@@ -11,9 +11,10 @@
 namespace seiche
 {
   /**
-   * @brief Whether the run can be trusted with levels: the water that the weak
-   * forms see against that of the points, and the water that stands where there
-   * is no room for it.
+   * @brief Whether the run can be trusted with volumes and levels: the water
+   * that the weak forms see against that of the points, the points' volumes
+   * against those at the start, the water that stands where there is no room
+   * for it, and air that is too thin to be seen.
    *
    * A quantity that leaves its band raises its alarm once in a run.
    */
@@ -49,7 +50,7 @@ namespace seiche
            nlohmann::ordered_json &summary) override;
 
   private:
-    static constexpr unsigned int n_quantities = 2;
+    static constexpr unsigned int n_quantities = 4;
 
     std::array<double, n_quantities> largest{}; // so far, by size
     std::vector<Alarm>               new_alarms;

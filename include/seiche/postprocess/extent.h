@@ -4,7 +4,10 @@
 
 #include <seiche/postprocess/postprocessor.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <limits>
+#include <vector>
 
 namespace seiche
 {
@@ -33,6 +36,15 @@ namespace seiche
     virtual double
     level(const dealii::Point<dim> &place, const double width) const = 0;
 
+    /// The same of the surface that stood there at the start of the step: for a
+    /// place, at a wall that has let go, from which the fluid has just moved
+    /// away.
+    virtual double
+    level_left(const dealii::Point<dim> & /*place*/) const
+    {
+      return none;
+    }
+
     /// Largest height at which a wall, of this boundary id, is wet [m].
     virtual double
     wet_height(const dealii::types::boundary_id wall) const = 0;
@@ -46,6 +58,16 @@ namespace seiche
     virtual Surface
     surface() const = 0;
   };
+
+  /// Of each of the @p values. Collective.
+  inline void
+  maximum_over_ranks(std::vector<double> &values, const MPI_Comm communicator)
+  {
+    dealii::Utilities::MPI::max(
+      dealii::ArrayView<const double>(values.data(), values.size()),
+      communicator,
+      dealii::ArrayView<double>(values.data(), values.size()));
+  }
 } // namespace seiche
 
 #endif

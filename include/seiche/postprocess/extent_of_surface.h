@@ -24,6 +24,8 @@ namespace seiche
     double
     level(const dealii::Point<dim> &place, const double width) const override;
     double
+    level_left(const dealii::Point<dim> &place) const override;
+    double
     wet_height(const dealii::types::boundary_id wall) const override;
 
     Surface
@@ -40,14 +42,13 @@ namespace seiche
     void
     find_wet_places();
 
-    /// The height of a piece over (or under) a place, or none.
-    double
-    height(const SurfacePiece<dim>  &piece,
-           const dealii::Point<dim> &place) const;
-
     /// The underside of a wall where the fluid reaches up to it, or none.
     double
     ceiling(const dealii::Point<dim> &place) const;
+
+    /// Height [m] at which the wall over a cell is at the end of the step.
+    double
+    ceiling_over(const unsigned int cell) const;
 
     const StepView<dim>               &view;
     const std::vector<MovedPiece<dim>> pieces;

@@ -41,24 +41,6 @@ namespace seiche
     sign() const;
   };
 
-  /// prm entries of "Gauge NAME".
-  template <int dim>
-  struct GaugeParameters
-  {
-    static constexpr const char *kind = "Gauge";
-
-    std::string        name;
-    dealii::Point<dim> position;   ///< [m], vertical coordinate ignored
-    double             width = 0.; ///< [m], 0: the smallest cell edge
-
-    void
-    add_parameters(dealii::ParameterHandler &prm);
-    void
-    check(const InputFile &input, const BackgroundGrid<dim> &grid) const;
-    std::vector<std::string>
-    columns() const;
-  };
-
   /**
    * @brief How far the fluid reaches in a direction, from a height on
    * (FluidExtent).
@@ -81,61 +63,6 @@ namespace seiche
 
   private:
     const std::vector<FrontParameters<dim>>       fronts;
-    const GridParameters<dim>                    &box;
-    const std::shared_ptr<FluidExtentOfStep<dim>> extent;
-  };
-
-  /**
-   * @brief Height of the water at a place, as a wave gauge sees it.
-   *
-   * The level is that of the fluid (FluidExtent); the bottom of the domain if
-   * there is none. The spray, if it is above it, is the highest within the
-   * width on either side (in every horizontal direction). The depth is a mean
-   * of the volume of water per area, which a single drop hardly changes, with
-   * weights that fall linearly to zero at that distance (with equal weights the
-   * depth of still water depended on where the gauge stood between the points).
-   * Beside an obstacle that stands on the bottom, water and area beside it
-   * count; on it, those over it. Vertical is the last direction.
-   */
-  template <int dim>
-  class WaterLevel : public Postprocessor<dim>
-  {
-  public:
-    /// @p grid must outlive the object.
-    WaterLevel(const std::vector<GaugeParameters<dim>>       &parameters,
-               const BackgroundGrid<dim>                     &grid,
-               const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent);
-
-    void
-    execute(const StepView<dim> &view, StatisticsTable &statistics) override;
-
-  private:
-    using Obstacle = typename GridParameters<dim>::Obstacle;
-
-    /// What a gauge sees from above.
-    struct Footprint
-    {
-      bool   on_obstacle; ///< that alone, else only what is beside obstacles
-      double area;        ///< integral of the weights over that [m^(dim-1)]
-    };
-
-    /// Of the points of this rank [m].
-    double
-    mean_depth(const StepView<dim>      &view,
-               const dealii::Point<dim> &place,
-               const double              width) const;
-
-    Footprint
-    footprint(const dealii::Point<dim> &position, const double width) const;
-
-    bool
-    stands_on_bottom(const Obstacle &obstacle) const;
-
-    /// True over an obstacle that stands on the bottom, its edges left out.
-    bool
-    is_over_obstacle(const dealii::Point<dim> &place) const;
-
-    const std::vector<GaugeParameters<dim>>       gauges;
     const GridParameters<dim>                    &box;
     const std::shared_ptr<FluidExtentOfStep<dim>> extent;
   };

@@ -8,7 +8,8 @@ namespace seiche
 {
   /**
    * @brief Mean height of the free surface over the area that it covers, seen
-   * from above: (int z n_z dA + V_loose)/int n_z dA.
+   * from above: (int z n_z dA + V_loose)/int n_z dA. The lid, where the fluid
+   * stands at it, is part of the surface.
    *
    * Where the surface lies over itself the fluid between counts, and so do
    * drops, as if they had fallen: a splash does not change it. The bottom of

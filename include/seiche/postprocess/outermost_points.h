@@ -71,7 +71,7 @@ namespace seiche
     Surface
     surface() const override
     {
-      const auto   &box    = view.occupancy.locator.grid.parameters;
+      const auto    box    = view.box.get_boundary_points();
       const double *volume = view.points.data(PointColumn::initial_volume);
       Surface       result;
       if (dealii::Utilities::MPI::this_mpi_process(view.points.communicator) ==
@@ -79,8 +79,8 @@ namespace seiche
         {
           result.area = 1.;
           for (unsigned int d = 0; d + 1 < dim; ++d)
-            result.area *= box.upper_corner[d] - box.lower_corner[d];
-          result.volume = result.area * box.lower_corner[dim - 1];
+            result.area *= box.second[d] - box.first[d];
+          result.volume = result.area * box.first[dim - 1];
         }
       for (const Entry &entry : chosen)
         result.volume += volume[entry.point];

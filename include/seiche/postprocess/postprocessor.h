@@ -8,6 +8,8 @@
 #include <seiche/points/point_cloud.h>
 #include <seiche/postprocess/statistics_table.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <string>
 
 namespace seiche
@@ -40,12 +42,13 @@ namespace seiche
     double bulk_modulus;
     /// The configuration of forces is x_n + theta u, that of the pressure
     /// x_n + pressure_theta u.
-    double       theta;
-    double       pressure_theta;
-    double       half_spacing;    ///< [m] half the initial spacing of points
-    double       smallest_extent; ///< [m] smallest cell edge
-    unsigned int newton_iterations = 0; ///< of this step, all tries
-    unsigned int krylov_iterations = 0; ///< of this step, all tries
+    double theta;
+    double pressure_theta;
+    double half_spacing;          ///< [m] half the initial spacing of points
+    double smallest_extent;       ///< [m] smallest cell edge
+    dealii::BoundingBox<dim> box; ///< of the walls at the end of the step
+    unsigned int             newton_iterations = 0; ///< of this step, all tries
+    unsigned int             krylov_iterations = 0; ///< of this step, all tries
   };
 
   /**
