@@ -31,7 +31,7 @@ NODES = (
 )
 TABLES = {"title", "base", "timeout", "restart", "set", "vary", "variants", "sample", "skip",
           "collect", "fail", "plot"}
-PLOT_KEYS = {"kind", "file", "title", "x", "y", "line", "panel", "only"}
+PLOT_KEYS = {"kind", "file", "title", "x", "y", "line", "panel", "only", "names"}
 PLOT_KINDS = ("work", "convergence", "map")
 ALWAYS = {  # columns of every study
     "cpu_seconds": "cpu_seconds",

@@ -61,12 +61,21 @@ def label_of(row, names):
     return ", ".join(text_of(row.get(name, "")) for name in names) or "all"
 
 
+def shown(plot, name):
+    """What a column or setting is called in the picture."""
+    return plot.get("names", {}).get(name, "processor time [s]" if name == "cpu_seconds" else name)
+
+
+def legend_title(plot):
+    return ", ".join(shown(plot, name) for name in as_list(plot.get("line", [])))
+
+
 def panels(rows, plot):
     """[(title, rows)] by the value of "panel"."""
     groups = {}
     for row in rows:
         names = as_list(plot.get("panel", []))
-        title = ", ".join(f"{name} = {text_of(row.get(name, ''))}" for name in names)
+        title = ", ".join(f"{shown(plot, name)} = {text_of(row.get(name, ''))}" for name in names)
         groups.setdefault(title, []).append(row)
     return list(groups.items())
 
@@ -125,13 +134,13 @@ def draw_work(rows, plot):
         for label, points in lines.items():
             if points:
                 axes.loglog(*zip(*points), **style[label], label=label)
-        axes.set_xlabel("processor time [s]" if x == "cpu_seconds" else x)
-        axes.set_ylabel(quantity)
+        axes.set_xlabel(shown(plot, x))
+        axes.set_ylabel(shown(plot, quantity))
         axes.set_title(title, fontsize=10)
         add_failures(axes, failed)
         axes.grid(alpha=0.3, which="both")
         if len(style) <= MOST_IN_PANEL:
-            axes.legend(fontsize=7)
+            axes.legend(fontsize=7, title=legend_title(plot), title_fontsize=7)
     if len(style) > MOST_IN_PANEL:
         handles = {label: handle for axes in all_axes
                    for handle, label in zip(*axes.get_legend_handles_labels())}
@@ -157,8 +166,8 @@ def draw_convergence(rows, plot, table):
             table.append([plot.get("file", "convergence"), title, label, quantity, len(points),
                           "" if order is None else f"{order:.3f}",
                           " ".join(f"{value:.3f}" for value in between)])
-        axes.set_xlabel(x)
-        axes.set_ylabel(quantity)
+        axes.set_xlabel(shown(plot, x))
+        axes.set_ylabel(shown(plot, quantity))
         axes.set_title(title, fontsize=10)
         add_failures(axes, failed)
         axes.grid(alpha=0.3, which="both")

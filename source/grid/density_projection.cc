@@ -117,6 +117,18 @@ namespace seiche
     any_fixed = Utilities::MPI::max(
                   all_free ? 0 : 1,
                   occupancy.locator.grid.triangulation.get_communicator()) > 0;
+    is_free.update_ghost_values();
+    free_cells.clear();
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        if (std::any_of(nodes,
+                        nodes + occupancy.nodes_per_cell(),
+                        [&](const unsigned int node) {
+                          return is_free.local_element(node) > 0.;
+                        }))
+          free_cells.push_back(cell);
+      }
   }
 
   template <int dim>
@@ -127,24 +139,18 @@ namespace seiche
     dst = 0.;
     dst.zero_out_ghost_values();
     CellLaplacian<dim> laplacian;
-    double x[HangingNodes<dim>::max_nodes], y[HangingNodes<dim>::max_nodes];
-    for (const unsigned int cell : occupancy.occupied_cells())
+    double             x[CellLaplacian<dim>::n], y[CellLaplacian<dim>::n];
+    for (const unsigned int cell : free_cells)
       {
         laplacian.reinit(occupancy.locator.extent(cell));
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          {
-            x[a] = src.local_element(nodes[a]);
-            y[a] = 0.;
-          }
-        occupancy.expand(cell, x);
+        occupancy.vertex_values(cell, src, x);
         for (unsigned int a = 0; a < laplacian.n; ++a)
-          for (unsigned int b = 0; b < laplacian.n; ++b)
-            y[occupancy.vertex_node(a)] +=
-              laplacian.K[a][b] * x[occupancy.vertex_node(b)];
-        occupancy.condense(cell, y);
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          dst.local_element(nodes[a]) += y[a];
+          {
+            y[a] = 0.;
+            for (unsigned int b = 0; b < laplacian.n; ++b)
+              y[a] += laplacian.K[a][b] * x[b];
+          }
+        occupancy.add_vertex_values(cell, y, dst);
       }
     dst.compress(VectorOperation::add);
     src.zero_out_ghost_values();
@@ -202,14 +208,10 @@ namespace seiche
     const auto &locator = occupancy.locator;
     double      N[Shape::n_nodes], dN[Shape::n_nodes][dim];
     double      psi[Shape::n_nodes];
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : free_cells)
       {
         occupancy.vertex_values(cell, potential, psi);
-        if (std::all_of(std::begin(psi), std::end(psi), [](const double x) {
-              return x == 0.;
-            }))
-          continue;
-        const PointShift<dim> shift(cell, points, &domain);
+        const PointShift<dim> shift(cell, points, domain);
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
              ++p)

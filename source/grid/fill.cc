@@ -41,6 +41,7 @@ namespace seiche
     if (has_surface())
       find_surface(points);
     classify(points);
+    look_for_free_surface(points.communicator);
     mark_inner_nodes();
     collect_ghost_faces();
   }
@@ -169,6 +170,15 @@ namespace seiche
             extent_moments[cell] = loose * std::pow(share, 2. / dim) / 12.;
           }
       }
+    std::vector<double> values(cut.begin(), cut.end());
+    locator.exchange_to_ghosts(values);
+    std::copy(values.begin(), values.end(), cut.begin());
+  }
+
+  template <int dim>
+  void
+  Fill<dim>::look_for_free_surface(const MPI_Comm communicator)
+  {
     // full, or (material points) occupied cells
     const auto &cells = occupancy.occupied_cells();
     const auto  n_filled =
@@ -179,11 +189,8 @@ namespace seiche
          static_cast<std::ptrdiff_t>(cells.size());
     free_surface_exists =
       occupancy.has_open_wall() ||
-      Utilities::MPI::sum<std::uint64_t>(n_filled, points.communicator) <
+      Utilities::MPI::sum<std::uint64_t>(n_filled, communicator) <
         occupancy.n_global_cells();
-    std::vector<double> values(cut.begin(), cut.end());
-    locator.exchange_to_ghosts(values);
-    std::copy(values.begin(), values.end(), cut.begin());
   }
 
   template <int dim>

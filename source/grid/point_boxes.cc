@@ -77,21 +77,6 @@ namespace seiche
 
   template <int dim>
   void
-  PointBoxes<dim>::add_to(const unsigned int                   cell,
-                          const std::array<double, 1u << dim> &of_vertices,
-                          typename Occupancy<dim>::Vector     &sums) const
-  {
-    double nodal[HangingNodes<dim>::max_nodes] = {};
-    for (unsigned int v = 0; v < of_vertices.size(); ++v)
-      nodal[occupancy.vertex_node(v)] = of_vertices[v];
-    occupancy.condense(cell, nodal);
-    const unsigned int *nodes = occupancy.cell_nodes(cell);
-    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-      sums.local_element(nodes[a]) += nodal[a];
-  }
-
-  template <int dim>
-  void
   PointBoxes<dim>::add_elsewhere(const unsigned int               cell,
                                  const std::array<Part, dim>     &part,
                                  const double                     volume,
@@ -114,11 +99,11 @@ namespace seiche
     Point<dim> unit = locator.to_unit(holder, place);
     for (unsigned int d = 0; d < dim; ++d)
       unit[d] = std::clamp(unit[d], 0., 1.);
-    std::array<double, Shape::n_nodes> N;
-    Shape::values(unit, N.data());
+    double N[Shape::n_nodes];
+    Shape::values(unit, N);
     for (double &value : N)
       value *= content;
-    add_to(holder, N, sums);
+    occupancy.add_vertex_values(holder, N, sums);
   }
 
   template <int dim>
@@ -220,7 +205,9 @@ namespace seiche
       }
     for (unsigned int side = 0; side < n_sides; ++side)
       if (integrals.exists[side] && integrals.holder[side] != locator.invalid)
-        add_to(integrals.holder[side], integrals.of_vertices[side], sums);
+        occupancy.add_vertex_values(integrals.holder[side],
+                                    integrals.of_vertices[side].data(),
+                                    sums);
   }
 
   template class PointBoxes<2>;

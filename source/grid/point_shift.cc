@@ -11,7 +11,7 @@ namespace seiche
   template <int dim>
   PointShift<dim>::PointShift(const unsigned int      own_cell,
                               PointCloud<dim>        &cloud,
-                              const BoundingBox<dim> *box)
+                              const BoundingBox<dim> &box)
     : cell(own_cell)
     , points(cloud)
     , domain(box)
@@ -49,10 +49,9 @@ namespace seiche
           {
             double distance =
               up ? lower[d] + extent[d] - place[d] : place[d] - lower[d];
-            if (domain != nullptr)
-              distance = std::min(distance,
-                                  up ? domain->upper_bound(d) - place[d] :
-                                       place[d] - domain->lower_bound(d));
+            distance = std::min(distance,
+                                up ? domain.upper_bound(d) - place[d] :
+                                     place[d] - domain.lower_bound(d));
             distance = std::max(0., distance / extent[d]);
             delta[d] *= distance / (distance + length);
           }

@@ -31,6 +31,7 @@ namespace seiche
     using Shape                       = TensorShape<dim, 1>;
     constexpr unsigned int n_vertices = Shape::n_nodes;
     const auto            &locator    = occupancy.locator;
+    const auto             domain     = locator.domain();
     excess.assign(locator.n_cells(), 0.);
     for (const unsigned int cell : occupancy.occupied_cells())
       excess[cell] = fill.cell_fill(cell) - fill.inside_share(cell);
@@ -62,7 +63,7 @@ namespace seiche
                   (side == 0 ? -1. : 1.) * (excess[other] - excess[cell]);
             }
 
-        const PointShift<dim> shift(cell, points, nullptr);
+        const PointShift<dim> shift(cell, points, domain);
         for (std::size_t p = points.first_point(cell);
              p < points.first_point(cell + 1);
              ++p)

@@ -122,27 +122,24 @@ namespace seiche
     using Shape         = TensorShape<dim, 1>;
     const auto &locator = occupancy.locator;
     inside_fill.reinit(occupancy.scalar_partitioner());
-    double N[Shape::n_nodes], nodal[HangingNodes<dim>::max_nodes];
+    double N[Shape::n_nodes], of_vertices[Shape::n_nodes];
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         if (shares[cell] == 0.)
           continue;
-        std::fill(std::begin(nodal), std::end(nodal), 0.);
+        std::fill(std::begin(of_vertices), std::end(of_vertices), 0.);
         const double weight =
           shares[cell] * locator.measure(cell) / Shape::n_nodes;
         for (unsigned int q = 0; q < Shape::n_nodes; ++q)
           if (shares[cell] == 1.)
-            nodal[occupancy.vertex_node(q)] = weight;
+            of_vertices[q] = weight;
           else
             {
               Shape::values(rule(cell)[q], N);
               for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-                nodal[occupancy.vertex_node(v)] += N[v] * weight;
+                of_vertices[v] += N[v] * weight;
             }
-        occupancy.condense(cell, nodal);
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          inside_fill.local_element(nodes[a]) += nodal[a];
+        occupancy.add_vertex_values(cell, of_vertices, inside_fill);
       }
     inside_fill.compress(VectorOperation::add);
     for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)

@@ -219,11 +219,14 @@ namespace seiche
                                 std::numeric_limits<double>::infinity());
     formulation->update_points(points);
     if (fill.has_surface())
-      density_projection.apply(std::max(speed_per_cell,
-                                        step_solver.fall_rate()) *
-                                 state.dt,
-                               wall_motion.box(state.time + state.dt),
-                               points);
+      {
+        const TimerTree::Scope scope(timer, "density projection");
+        density_projection.apply(std::max(speed_per_cell,
+                                          step_solver.fall_rate()) *
+                                   state.dt,
+                                 wall_motion.box(state.time + state.dt),
+                                 points);
+      }
     if (accepts)
       accepted_failures.account(
         step_solver.effort(), n_held, state.time, communicator, report);

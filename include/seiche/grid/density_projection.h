@@ -53,11 +53,12 @@ namespace seiche
     void
     move(const dealii::BoundingBox<dim> &domain, PointCloud<dim> &points) const;
 
-    const Fill<dim>      &fill;
-    const Occupancy<dim> &occupancy;
-    const double          rate;
-    Vector                potential, is_free, inverse_diagonal;
-    bool                  any_fixed = false; ///< else psi has no zero
+    const Fill<dim>          &fill;
+    const Occupancy<dim>     &occupancy;
+    const double              rate;
+    Vector                    potential, is_free, inverse_diagonal;
+    std::vector<unsigned int> free_cells;        ///< with a node of S
+    bool                      any_fixed = false; ///< else psi has no zero
   };
 } // namespace seiche
 

@@ -204,6 +204,8 @@ namespace seiche
     void
     classify(const PointCloud<dim> &points);
     void
+    look_for_free_surface(const MPI_Comm communicator);
+    void
     mark_inner_nodes();
     void
     collect_ghost_faces();

@@ -388,6 +388,23 @@ namespace seiche
         values[v] = at_nodes[vertex_node(v)];
     }
 
+    /// The transpose: @p values [2^dim] of the vertices of an active cell, added
+    /// to the vector's own and ghost nodes.
+    template <typename VectorType>
+    void
+    add_vertex_values(const unsigned int cell,
+                      const double      *values,
+                      VectorType        &vector) const
+    {
+      double              at_nodes[HangingNodes<dim>::max_nodes] = {};
+      const unsigned int *nodes = cell_nodes(cell);
+      for (unsigned int v = 0; v < (1u << dim); ++v)
+        at_nodes[vertex_node(v)] = values[v];
+      condense(cell, at_nodes);
+      for (unsigned int a = 0; a < nodes_per_cell(); ++a)
+        vector.local_element(nodes[a]) += at_nodes[a];
+    }
+
     /// Call f(lower, upper, direction) for each face between two cells that
     /// @p takes_part, on the rank that assembles it: the lower of the two
     /// owners, and that of the finer cell at a level jump. @p cells: own cells

@@ -74,11 +74,6 @@ namespace seiche
              Integrals                       &integrals,
              typename Occupancy<dim>::Vector &sums) const;
 
-    void
-    add_to(const unsigned int                   cell,
-           const std::array<double, 1u << dim> &of_vertices,
-           typename Occupancy<dim>::Vector     &sums) const;
-
     /// Where the mesh is finer or coarser.
     void
     add_elsewhere(const unsigned int               cell,

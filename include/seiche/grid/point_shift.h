@@ -22,11 +22,11 @@ namespace seiche
   class PointShift
   {
   public:
-    /// @p domain: the box of the grid if it has moved since the points were
-    /// located, or null.
+    /// @p domain: the box of the walls where the points are now; it must
+    /// outlive the object.
     PointShift(const unsigned int              own_cell,
                PointCloud<dim>                &points,
-               const dealii::BoundingBox<dim> *domain);
+               const dealii::BoundingBox<dim> &domain);
 
     /// @p delta [cells]
     void
@@ -35,7 +35,7 @@ namespace seiche
   private:
     const unsigned int              cell;
     PointCloud<dim>                &points;
-    const dealii::BoundingBox<dim> *domain;
+    const dealii::BoundingBox<dim> &domain;
     std::array<bool, 2 * dim>       is_wall; ///< face
     std::array<double *, dim>       position, velocity;
     /// d v_c/d x_d at c dim + d; null if points carry none
