@@ -171,7 +171,7 @@ def draw_convergence(rows, plot, table):
         axes.set_title(title, fontsize=10)
         add_failures(axes, failed)
         axes.grid(alpha=0.3, which="both")
-        axes.legend(fontsize=7, title="fitted order in brackets", title_fontsize=7)
+        axes.legend(fontsize=7, title=legend_title(plot) + " (fitted order)", title_fontsize=7)
     return figure
 
 
@@ -221,8 +221,8 @@ def draw_map(rows, plot):
                 set_ticks(range(len(axis[i][2])), axis[i][2])
             elif axis[i][1]:
                 set_scale("log")
-        axes.set_xlabel(names[0])
-        axes.set_ylabel(names[1])
+        axes.set_xlabel(shown(plot, names[0]))
+        axes.set_ylabel(shown(plot, names[1]))
         n_failed = sum(1 for row in part if row["cause"])
         title = title + ": " if title else ""
         axes.set_title(f"{title}{n_failed} of {len(part)} failed", fontsize=10)

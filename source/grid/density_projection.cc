@@ -15,6 +15,9 @@ namespace seiche
 
   namespace
   {
+    /// Nodes from this fill of the inside on take part.
+    constexpr double least_inside = 0.5;
+
     constexpr double longest_shift = 0.1; // of the cell, each direction
 
     // the shift is small and comes again in the next step
@@ -84,7 +87,7 @@ namespace seiche
   void
   DensityProjection<dim>::choose_nodes()
   {
-    const Vector &f = fill.nodal_fill();
+    const Vector &f = fill.nodal_fill(), &inside = fill.surface().nodal_fill();
     inverse_diagonal.reinit(occupancy.scalar_partitioner());
     CellLaplacian<dim> laplacian;
     for (const unsigned int cell : occupancy.occupied_cells())
@@ -108,7 +111,7 @@ namespace seiche
            ~occupancy.dry_components(i)) != 0;
         const bool free =
           diagonal > 0. && occupancy.node_volume(i) > 0. &&
-          ((fill.inner_nodes().local_element(i) == 1. && !leaves_wall) ||
+          ((inside.local_element(i) > least_inside && !leaves_wall) ||
            f.local_element(i) > 1.);
         all_free                 = all_free && (free || diagonal == 0.);
         is_free.local_element(i) = free;
@@ -164,14 +167,16 @@ namespace seiche
   DensityProjection<dim>::find_potential(const double share)
   {
     potential.reinit(is_free);
-    Vector sums(is_free);
-    double total = 0., volume = 0.;
+    const Vector &inside = fill.surface().nodal_fill();
+    Vector        sums(is_free);
+    double        total = 0., volume = 0.;
     for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
       if (is_free.local_element(i) > 0.)
         {
           const double V = occupancy.node_volume(i);
           sums.local_element(i) =
-            share * (1. - fill.nodal_fill().local_element(i)) * V;
+            share *
+            (inside.local_element(i) - fill.nodal_fill().local_element(i)) * V;
           total += sums.local_element(i);
           volume += V;
         }
@@ -195,7 +200,11 @@ namespace seiche
         solver.solve(*this, potential, sums, preconditioner);
       }
     catch (const SolverControl::NoConvergence &)
-      {} // what is left comes again
+      {
+        // what is left comes again
+        if (control.last_value() > control.initial_value())
+          potential = 0.;
+      }
     potential.update_ghost_values();
   }
 

@@ -170,9 +170,7 @@ namespace seiche
             extent_moments[cell] = loose * std::pow(share, 2. / dim) / 12.;
           }
       }
-    std::vector<double> values(cut.begin(), cut.end());
-    locator.exchange_to_ghosts(values);
-    std::copy(values.begin(), values.end(), cut.begin());
+    locator.exchange_to_ghosts(cut);
   }
 
   template <int dim>

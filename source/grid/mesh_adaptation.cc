@@ -96,11 +96,10 @@ namespace seiche
   void
   MeshAdaptation<dim>::find_fluid()
   {
-    std::vector<double> flag(locator.n_cells(), 0.);
+    holds_fluid.assign(locator.n_cells(), 0);
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      flag[cell] = points.n_points_in(cell) > 0;
-    locator.exchange_to_ghosts(flag);
-    holds_fluid.assign(flag.begin(), flag.end());
+      holds_fluid[cell] = points.n_points_in(cell) > 0;
+    locator.exchange_to_ghosts(holds_fluid);
     at_surface.assign(locator.n_cells(), 0);
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       if (holds_fluid[cell])
@@ -264,12 +263,18 @@ namespace seiche
                           level,
                           criterion.layers);
     auto places = criterion.places;
-    if (criterion.kind == RefinementKind::walls)
-      for (BoundingBox<dim> &place : places)
-        {
-          const auto &[low, high] = place.get_boundary_points();
+    for (BoundingBox<dim> &place : places)
+      {
+        const auto &[low, high] = place.get_boundary_points();
+        if (criterion.kind == RefinementKind::walls)
           place = {std::make_pair(locator.moved(low), locator.moved(high))};
-        }
+        else if (criterion.kind == RefinementKind::probes)
+          {
+            const auto there =
+              grid.parameters.with_sides(low, locator.domain());
+            place = {std::make_pair(there, there)};
+          }
+      }
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         bool wanted = criterion.kind == RefinementKind::box;

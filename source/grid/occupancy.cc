@@ -175,7 +175,8 @@ namespace seiche
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         integral = unit_integral;
-        condense(cell, integral.data());
+        if (const NodeMatrix *hanging = hanging_nodes.matrix(cell))
+          hanging->condense(integral.data());
         for (unsigned int a = 0; a < n_nodes; ++a)
           volume.local_element(full_cell_nodes[cell * n_nodes + a]) +=
             locator.measure(cell) * integral[a];
@@ -194,7 +195,7 @@ namespace seiche
     const MPI_Comm communicator = locator.grid.triangulation.get_communicator();
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       occupied_flag[cell] = points.n_points_in(cell) > 0;
-    exchange_flag(occupied_flag);
+    locator.exchange_to_ghosts(occupied_flag);
     points_flag = occupied_flag;
     occupied.clear();
     bool inside = is_numbered;
@@ -227,7 +228,7 @@ namespace seiche
   {
     for (const unsigned int cell : cells)
       occupied_flag[cell] = true;
-    exchange_flag(occupied_flag);
+    locator.exchange_to_ghosts(occupied_flag);
     occupied.insert(occupied.end(), cells.begin(), cells.end());
     std::sort(occupied.begin(), occupied.end());
     global_occupied =
@@ -252,7 +253,7 @@ namespace seiche
     if (fe.degree == 1)
       return;
     std::copy(flags.begin(), flags.end(), linear_flag.begin());
-    exchange_flag(linear_flag);
+    locator.exchange_to_ghosts(linear_flag);
     const unsigned int n_nodes = nodes_per_cell();
     Vector             is_mean(node_partitioner);
     for (const unsigned int cell : occupied)
@@ -298,15 +299,6 @@ namespace seiche
 
   template <int dim>
   void
-  Occupancy<dim>::exchange_flag(std::vector<char> &flag) const
-  {
-    std::vector<double> values(flag.begin(), flag.end());
-    locator.exchange_to_ghosts(values);
-    std::copy(values.begin(), values.end(), flag.begin());
-  }
-
-  template <int dim>
-  void
   Occupancy<dim>::number()
   {
     // boxes of points reach into the first layer; the second saves numberings
@@ -323,7 +315,7 @@ namespace seiche
                           neighbors.end(),
                           [&](const unsigned int c) { return before[c]; });
           }
-        exchange_flag(active_flag);
+        locator.exchange_to_ghosts(active_flag);
       }
 
     const unsigned int      n_nodes    = nodes_per_cell();

@@ -28,8 +28,7 @@ namespace seiche
                           Part (&parts)[2]) const
   {
     const auto is_wall = [&](const unsigned int side) {
-      return occupancy.locator.neighbor(cell, 2 * direction + side) ==
-             CellLocator<dim>::invalid;
+      return occupancy.locator.at_boundary(cell, 2 * direction + side);
     };
     // of a hat the mean over an interval is the value in its middle
     const auto part =
@@ -38,15 +37,26 @@ namespace seiche
         const double middle = 0.5 * (from + to) + 1. - side;
         return Part{side, {share * (1. - middle), share * middle}};
       };
-    double lower = centre - 0.5 * edge;
-    if (lower < 0. && is_wall(0))
-      lower = 0.;
-    if (lower + edge > 1. && is_wall(1))
-      lower = 1. - edge;
-    const double upper = lower + edge;
+    const double lower = centre - 0.5 * edge, upper = lower + edge;
     if (lower >= -touches && upper <= 1. + touches)
       {
         parts[0] = part(1, lower, upper);
+        return 1;
+      }
+    // folded back at a wall: boxes that overlap fill the cells beside it evenly
+    const auto folded = [&](const Part &inside, const Part &beyond) {
+      return Part{1,
+                  {inside.hats[0] + beyond.hats[0],
+                   inside.hats[1] + beyond.hats[1]}};
+    };
+    if (lower < 0. && is_wall(0))
+      {
+        parts[0] = folded(part(1, 0., upper), part(1, 0., -lower));
+        return 1;
+      }
+    if (upper > 1. && is_wall(1))
+      {
+        parts[0] = folded(part(1, lower, 1.), part(1, 2. - upper, 1.));
         return 1;
       }
     const bool is_below = lower < 0.;

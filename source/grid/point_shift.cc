@@ -17,8 +17,7 @@ namespace seiche
     , domain(box)
   {
     for (unsigned int face = 0; face < 2 * dim; ++face)
-      is_wall[face] = points.locator.boundary_id(cell, face) !=
-                      numbers::internal_face_boundary_id;
+      is_wall[face] = points.locator.at_boundary(cell, face);
     const bool has_gradient = points.has(PointColumn::velocity_gradient);
     for (unsigned int c = 0; c < dim; ++c)
       {
@@ -58,9 +57,16 @@ namespace seiche
         delta[d] *= extent[d];
         place[d] += delta[d];
       }
-    if (!locator.holds(cell, place) &&
-        locator.find(place, cell) == CellLocator<dim>::invalid)
-      return;
+    if (!locator.holds(cell, place))
+      {
+        // no farther than every rank that has the cell can see
+        for (unsigned int d = 0; d < dim; ++d)
+          if (std::abs(place[d] - lower[d] - 0.5 * extent[d]) >
+              0.5 * extent[d] + locator.reach(cell)[d])
+            return;
+        if (locator.find(place, cell) == CellLocator<dim>::invalid)
+          return;
+      }
     for (unsigned int c = 0; c < dim; ++c)
       {
         position[c][point] = place[c];

@@ -88,8 +88,9 @@ namespace seiche
 
 
   template <int dim>
+  template <typename Number>
   void
-  CellLocator<dim>::exchange_to_ghosts(std::vector<double> &cell_values) const
+  CellLocator<dim>::exchange_to_ghosts(std::vector<Number> &cell_values) const
   {
     AssertDimension(cell_values.size(), n_cells());
     if (dealii::Utilities::MPI::n_mpi_processes(
@@ -97,12 +98,12 @@ namespace seiche
       return;
     using Iterator = typename dealii::parallel::distributed::Triangulation<
       dim>::active_cell_iterator;
-    dealii::GridTools::exchange_cell_data_to_ghosts<double>(
+    dealii::GridTools::exchange_cell_data_to_ghosts<Number>(
       grid.triangulation,
-      [&](const Iterator &cell) -> std::optional<double> {
+      [&](const Iterator &cell) -> std::optional<Number> {
         return cell_values[index(cell)];
       },
-      [&](const Iterator &cell, const double value) {
+      [&](const Iterator &cell, const Number value) {
         cell_values[index(cell)] = value;
       });
   }
@@ -121,4 +122,8 @@ namespace seiche
   CellLocator<2>::exchange_to_ghosts(std::vector<double> &) const;
   template void
   CellLocator<3>::exchange_to_ghosts(std::vector<double> &) const;
+  template void
+  CellLocator<2>::exchange_to_ghosts(std::vector<char> &) const;
+  template void
+  CellLocator<3>::exchange_to_ghosts(std::vector<char> &) const;
 } // namespace seiche

@@ -180,7 +180,7 @@ namespace seiche
   ExtentOfSurface<dim>::level_left(const Point<dim> &place) const
   {
     const auto &locator = view.occupancy.locator;
-    double      result  = Extent<dim>::none;
+    double      result  = ceiling(place);
     for (const MovedPiece<dim> &piece : pieces)
       {
         SurfacePiece<dim> before = piece.unit;

@@ -23,12 +23,15 @@ namespace seiche
     Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
                         view.points.communicator,
                         ArrayView<double>(sums.data(), sums.size()));
-    // fluid that fills a box has no surface but for round-off
-    const double cell = std::pow(view.smallest_extent, dim - 1);
+    // no fluid, or all of it in flight, but for round-off
+    const double cell         = std::pow(view.smallest_extent, dim - 1);
+    const auto [lower, upper] = view.box.get_boundary_points();
+    double bottom             = 1.; // its area
+    for (unsigned int d = 0; d + 1 < dim; ++d)
+      bottom *= upper[d] - lower[d];
     statistics.set(column,
-                   sums[0] > 1e-6 * cell ?
-                     sums[1] / sums[0] :
-                     view.box.get_boundary_points().first[dim - 1]);
+                   sums[0] > 1e-6 * cell ? sums[1] / sums[0] :
+                                           lower[dim - 1] + sums[1] / bottom);
   }
 
   template class MeanLevel<2>;

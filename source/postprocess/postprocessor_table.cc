@@ -17,8 +17,11 @@
 #include <seiche/postprocess/wall_forces.h>
 #include <seiche/postprocess/water_level.h>
 #include <seiche/scene/entry_values.h>
+#include <seiche/utilities/exceptions.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
 
 namespace seiche
 {
@@ -109,7 +112,15 @@ namespace seiche
         {
           instance.check(input, grid);
           for (const std::string &column : instance.columns())
-            columns.push_back(column);
+            {
+              if (std::find(columns.begin(), columns.end(), column) !=
+                  columns.end())
+                throw InputError(input.filename + ": subsection \"" +
+                                 Parameters::kind + " " + instance.name +
+                                 "\": there is a column \"" + column +
+                                 "\" already; choose another name.");
+              columns.push_back(column);
+            }
         }
     }
   } // namespace

@@ -73,7 +73,8 @@ namespace seiche
   {
     prm.add_parameter("Position",
                       position,
-                      "Place of the probe, in the fluid or on a wall. [m]",
+                      "Place of the probe, in the fluid or on a wall; with a "
+                      "side that moves it goes. [m]",
                       *Patterns::Tools::Convert<Point<dim>>::to_pattern(),
                       /*has_to_be_set=*/true);
     prm.add_parameter("Quantity",

@@ -36,7 +36,7 @@ namespace seiche
     prm.add_parameter("Position",
                       position,
                       "Place of the gauge; its vertical (last) coordinate is "
-                      "ignored. [m]",
+                      "ignored; with a side that moves it goes. [m]",
                       *Patterns::Tools::Convert<Point<dim>>::to_pattern(),
                       /*has_to_be_set=*/true);
     prm.add_parameter("Width",
@@ -44,7 +44,7 @@ namespace seiche
                       "Of the points those within this distance on either "
                       "side count: as spray, without cut cells as fluid, and "
                       "in the depth with weights that fall to zero there; 0: "
-                      "the smallest cell edge. [m]",
+                      "the smallest horizontal cell edge at the start. [m]",
                       Patterns::Double(0.));
   }
 
@@ -79,7 +79,15 @@ namespace seiche
     : gauges(parameters)
     , box(grid.parameters)
     , extent(fluid_extent)
-  {}
+  {
+    // of the grid as it was: points keep their distances when walls move
+    const unsigned int levels = grid.finest_level() - grid.lattice_level();
+    for (unsigned int d = 0; d + 1 < dim; ++d)
+      for (const auto &segment : grid.segments(d))
+        default_width =
+          std::min(default_width,
+                   (segment.end - segment.begin) / (segment.cells << levels));
+  }
 
   template <int dim>
   bool
@@ -150,7 +158,7 @@ namespace seiche
         const Point<dim> place =
           place_with_walls(view, gauges[g].position, /*theta=*/1.);
         const double width =
-          gauges[g].width > 0. ? gauges[g].width : view.smallest_extent;
+          gauges[g].width > 0. ? gauges[g].width : default_width;
         level.push_back(ends.fluid->level(place, width));
         level.push_back(ends.fluid->level_left(
           place_with_walls(view, gauges[g].position, 0.)));

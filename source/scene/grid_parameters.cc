@@ -242,6 +242,25 @@ namespace seiche
     return dealii::BoundingBox<dim>({lower_corner, upper_corner});
   }
 
+  template <int dim>
+  dealii::Point<dim>
+  GridParameters<dim>::with_sides(const dealii::Point<dim>       &place,
+                                  const dealii::BoundingBox<dim> &box) const
+  {
+    constexpr double slack    = 1e-9; // of the domain: on a side
+    const auto [low, high]    = box.get_boundary_points();
+    dealii::Point<dim> result = place;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double length = upper_corner[d] - lower_corner[d];
+        if (std::abs(place[d] - lower_corner[d]) <= slack * length)
+          result[d] = low[d];
+        else if (std::abs(place[d] - upper_corner[d]) <= slack * length)
+          result[d] = high[d];
+      }
+    return result;
+  }
+
 
 
   template struct GridParameters<2>;

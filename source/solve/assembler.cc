@@ -46,14 +46,14 @@ namespace seiche
 
   template <int dim>
   Tau
-  Assembler<dim>::reference_tau(const double size) const
+  Assembler<dim>::reference_tau(const double size, const double force) const
   {
     return formulation.stabilization.evaluate(
       formulation.tau_arguments(step,
                                 size,
                                 occupancy.fe.degree,
                                 /*speed=*/0.,
-                                body_force_scale()));
+                                force));
   }
 
   template <int dim>

@@ -14,6 +14,10 @@ namespace seiche
     /// measured with large tau2 and with viscosity (doc/performance.md).
     constexpr double mass_dominated_below = 12.;
 
+    /// Factors serve another matrix whose stiffness over inertia, plus one, is
+    /// within this ratio of that of their own.
+    constexpr double alike_within = 4.;
+
     /// Factors of the diagonal before ILU(0), tried in this order: the ghost
     /// penalty is no M-matrix, and without a stronger diagonal the factors of
     /// spray can be unstable (applied to diag(A) they should give about 1).
@@ -51,9 +55,10 @@ namespace seiche
     const double            viscosity = material.viscosity(c);
     const double            inertia   = material.density * c.inertia;
     const double            h         = occupancy.smallest_extent();
-    const double            bulk      = matrix->has_pressure() ?
-                                          assembler.reference_tau(h).continuity :
-                                          material.bulk_modulus;
+    const double            bulk =
+      matrix->has_pressure() ?
+                   assembler.reference_tau(h, assembler.body_force_scale()).continuity :
+                   material.bulk_modulus;
     initialize_velocity((2. * viscosity * c.rate + bulk) / (inertia * h * h),
                         c.inertia);
     if (!matrix->has_pressure())
@@ -70,8 +75,11 @@ namespace seiche
   {
     velocity_factor    = 1.;
     const bool by_mass = stiffness < mass_dominated_below;
+    const bool is_like =
+      (1. + stiffness) < alike_within * (1. + velocity_stiffness) &&
+      (1. + velocity_stiffness) < alike_within * (1. + stiffness);
     if (velocity_generation == matrix->generation() &&
-        by_mass == mass_dominated)
+        by_mass == mass_dominated && is_like)
       {
         velocity_factor = velocity_inertia / inertia;
         kept            = true;
@@ -85,6 +93,7 @@ namespace seiche
       make_velocity_amg();
     velocity_generation = matrix->generation();
     velocity_inertia    = inertia;
+    velocity_stiffness  = stiffness;
   }
 
   template <int dim>

@@ -90,7 +90,8 @@ namespace seiche
       }
     const double h = matrix->occupancy.smallest_extent();
     const double scale =
-      1. / (material.density * assembler.reference_tau(h).momentum);
+      1. /
+      (material.density * assembler.reference_tau(h, /*force=*/0.).momentum);
     const std::vector<double> surface = surface_term(c.inertia);
     if (method.factorises_small &&
         matrix->occupancy.n_global_nodes() < cholesky_below<dim> &&

@@ -71,6 +71,23 @@ namespace seiche
         fields.back().sums.zero_out_ghost_values();
       }
 
+      /// Of component @p c at the vertices of a cell.
+      void
+      read(const Field       &field,
+           const unsigned int c,
+           const unsigned int cell,
+           double            *values) const
+      {
+        double              at_nodes[HangingNodes<dim>::max_nodes];
+        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+          at_nodes[a] =
+            field.values.local_element(field.n_components * nodes[a] + c);
+        occupancy.expand(cell, at_nodes);
+        for (unsigned int v = 0; v < Shape::n_nodes; ++v)
+          values[v] = at_nodes[occupancy.vertex_node(v)];
+      }
+
       unsigned int
       vertex(const unsigned int cell, const unsigned int v) const
       {
@@ -111,8 +128,7 @@ namespace seiche
         for (Field &field : fields)
           for (unsigned int c = 0; c < field.n_components; ++c)
             {
-              occupancy.vertex_values(
-                donor, field.values, values, field.n_components, c);
+              read(field, c, donor, values);
               for (unsigned int v = 0; v < Shape::n_nodes; ++v)
                 if (const unsigned int node = vertex(cell, v); !is_known(node))
                   for (unsigned int w = 0; w < Shape::n_nodes; ++w)
@@ -145,19 +161,19 @@ namespace seiche
 
   template <int dim>
   void
-  extrapolate_velocity(const PointCloud<dim> &points,
-                       const Occupancy<dim>  &occupancy,
-                       GridState<dim>        &state)
+  extrapolate_fields(const PointCloud<dim> &points,
+                     const Occupancy<dim>  &occupancy,
+                     GridState<dim>        &state)
   {
     Extrapolation<dim>(points, occupancy, state).run();
   }
 
   template void
-  extrapolate_velocity(const PointCloud<2> &,
-                       const Occupancy<2> &,
-                       GridState<2> &);
+  extrapolate_fields(const PointCloud<2> &,
+                     const Occupancy<2> &,
+                     GridState<2> &);
   template void
-  extrapolate_velocity(const PointCloud<3> &,
-                       const Occupancy<3> &,
-                       GridState<3> &);
+  extrapolate_fields(const PointCloud<3> &,
+                     const Occupancy<3> &,
+                     GridState<3> &);
 } // namespace seiche

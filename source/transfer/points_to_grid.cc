@@ -390,7 +390,7 @@ namespace seiche
         method.update == VelocityUpdate::xpic)
       expand_series(points, state);
     if (fill.has_surface())
-      extrapolate_velocity(points, occupancy, state);
+      extrapolate_fields(points, occupancy, state);
     if (with_acceleration)
       {
         occupancy.for_each_fixed([&](const unsigned int i) {

@@ -376,6 +376,10 @@ GEOMETRY = [
     Case("front above the domain",
          **added("subsection Front f\n  set Least height = 99\nend\n"),
          line=LAST + 2, expect=['"Least height" in "Front f"', "domain"]),
+    Case("a name whose column there is already",
+         **added("subsection Gauge a\n  set Position = 0.1, 0\nend\n"
+                 "subsection Gauge a spray\n  set Position = 0.1, 0\nend\n"),
+         line=None, expect=["scene.prm:", '"Gauge a spray"', "another name"]),
     Case("probe outside",
          **added("subsection Probe p\n  set Position = 5, 0\nend\n"),
          line=LAST + 2, expect=['"Position" in "Probe p"']),

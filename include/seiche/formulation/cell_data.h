@@ -80,6 +80,18 @@ namespace seiche
       return result;
     }
 
+    /// The largest in the cell [m/s^2].
+    double
+    largest_body_force() const
+    {
+      if (!body_force_varies)
+        return constant_body_force.norm();
+      double square = 0.;
+      for (unsigned int q = 0; q < quadrature.size; ++q)
+        square = std::max(square, body_force_at(q).norm_square());
+      return std::sqrt(square);
+    }
+
     void
     clear_residual()
     {

@@ -154,17 +154,16 @@ namespace seiche
              (degree * cell.coefficients.theta * tau.momentum);
     }
 
-    /// tau of a cell from its size and mean velocity.
+    /// tau of a cell from its size, mean velocity and body force.
     template <int degree>
     Tau
     tau(const CellData<dim, degree> &cell) const
     {
-      return stabilization.evaluate(
-        tau_arguments(cell.coefficients,
-                      cell.size,
-                      degree,
-                      cell.start_speed,
-                      cell.template body_force_at<double>(0).norm()));
+      return stabilization.evaluate(tau_arguments(cell.coefficients,
+                                                  cell.size,
+                                                  degree,
+                                                  cell.start_speed,
+                                                  cell.largest_body_force()));
     }
 
     /// The same of a cell of size @p h [m] with a speed [m/s] in its centre and

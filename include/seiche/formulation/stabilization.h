@@ -32,7 +32,7 @@ namespace seiche
     double                  h;            ///< cell size [m]
     unsigned int            degree;
     double                  speed;      ///< at the cell's centre [m/s]
-    double                  body_force; ///< in the cell [m/s^2]
+    double                  body_force; ///< largest in the cell [m/s^2]
   };
 
   /// What the momentum's subscale sees beside the pressure gradient.
@@ -138,14 +138,14 @@ namespace seiche
 
     /**
      * tau1 by the table of doc/theory.md, "Stabilization parameters". tau2 =
-     * c_2 h^2 max(1/tau1, rho C_a dt^2 b/h) min(1, dt/T_c)
+     * c_2 h^2 max(1/tau1, 20 rho C_a dt^2 b/h) min(1, dt/T_c)
      * + min(K_num, 2 h^2/tau1). The first part is as many times the viscosity
      * c_2 h^2/(tau1 dt) on div v: without T_c it grows as 1/dt. With the body
-     * force b it is that of a step of sqrt(h/b) at most, in which fluid falls
-     * by half a cell: with less of it calm water becomes restless in larger
-     * steps (the paper's tau is left as it is). For a finite bulk modulus kappa
-     * 1/tau2 is enlarged by 1/kappa: the terms 1 - tau2/kappa change sign
-     * otherwise. All zero without subscales.
+     * force b it is that of a step of sqrt(h/(20 b)) at most: with less of it
+     * calm water becomes restless in larger steps (the paper's tau is left as
+     * it is). For a finite bulk modulus kappa 1/tau2 is enlarged by 1/kappa:
+     * the terms 1 - tau2/kappa change sign otherwise. All zero without
+     * subscales.
      */
     Tau
     evaluate(const TauArguments &cell) const;

@@ -8,12 +8,13 @@ namespace seiche
 {
   /**
    * @brief Moves points until they fill the inside of the fluid evenly: the
-   * nodal fill f goes to one with the way that they go (Kugelstadt, Longva,
-   * Thuerey and Bender 2019).
+   * nodal fill f goes to that of the inside, f_h, with the way that they go
+   * (Kugelstadt, Longva, Thuerey and Bender 2019).
    *
-   * On the nodes S whose cells are all full, and on those with f > 1,
+   * On the nodes S with f_h > 1/2 that no unilateral wall has let go of, and on
+   * those with f > 1,
    *
-   *     sum_J psi_J int grad N_I . grad N_J = min(1, r n) (1 - f_I) V_I,
+   *     sum_J psi_J int grad N_I . grad N_J = min(1, r n) (f_h - f)_I V_I,
    *
    * n the cells that fluid passes in the step, psi = 0 elsewhere; a point moves
    * by grad psi, its velocity follows by Taylor with the gradient that it

@@ -369,21 +369,22 @@ namespace seiche
       return open_wall;
     }
 
-    /// Values [2^dim] at the vertices of an active cell of component @p c of a
-    /// nodal vector with @p n_components; own and ghost nodes must be there.
+    /// Values [2^dim] at the vertices of an active cell of a nodal vector whose
+    /// shape functions are those of FE_Q(1) on the mesh, whatever elements the
+    /// unknowns have (set_linear()): fills, level set. Own and ghost nodes must
+    /// be there.
     template <typename VectorType>
     void
     vertex_values(const unsigned int cell,
                   const VectorType  &vector,
-                  double            *values,
-                  const unsigned int n_components = 1,
-                  const unsigned int c            = 0) const
+                  double            *values) const
     {
       double              at_nodes[HangingNodes<dim>::max_nodes];
       const unsigned int *nodes = cell_nodes(cell);
       for (unsigned int a = 0; a < nodes_per_cell(); ++a)
-        at_nodes[a] = vector.local_element(n_components * nodes[a] + c);
-      expand(cell, at_nodes);
+        at_nodes[a] = vector.local_element(nodes[a]);
+      if (const NodeMatrix *hanging = hanging_nodes.matrix(cell))
+        hanging->expand(at_nodes);
       for (unsigned int v = 0; v < (1u << dim); ++v)
         values[v] = at_nodes[vertex_node(v)];
     }
@@ -400,7 +401,8 @@ namespace seiche
       const unsigned int *nodes = cell_nodes(cell);
       for (unsigned int v = 0; v < (1u << dim); ++v)
         at_nodes[vertex_node(v)] = values[v];
-      condense(cell, at_nodes);
+      if (const NodeMatrix *hanging = hanging_nodes.matrix(cell))
+        hanging->condense(at_nodes);
       for (unsigned int a = 0; a < nodes_per_cell(); ++a)
         vector.local_element(nodes[a]) += at_nodes[a];
     }
@@ -432,9 +434,6 @@ namespace seiche
     /// Matrices of the mesh alone.
     void
     reset_matrices();
-
-    void
-    exchange_flag(std::vector<char> &flag) const;
 
     /// Choose the active cells and number their nodes. Collective.
     void

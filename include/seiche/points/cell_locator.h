@@ -140,6 +140,14 @@ namespace seiche
       return face_neighbors[cell][face];
     }
 
+    /// True at a wall and at an open side; own cells.
+    bool
+    at_boundary(const unsigned int cell, const unsigned int face) const
+    {
+      return boundary_id(cell, face) !=
+             dealii::numbers::internal_face_boundary_id;
+    }
+
     /// Own and ghost cells that share a vertex with an own cell (without it),
     /// ascending. Across a level jump, cells that touch share a vertex too.
     dealii::ArrayView<const unsigned int>
@@ -165,9 +173,11 @@ namespace seiche
     }
 
     /// Send one value per own cell to the ranks that see it as ghost:
-    /// entries of ghost cells are overwritten. Collective.
+    /// entries of ghost cells are overwritten. Number: double, char.
+    /// Collective.
+    template <typename Number>
     void
-    exchange_to_ghosts(std::vector<double> &cell_values) const;
+    exchange_to_ghosts(std::vector<Number> &cell_values) const;
 
     /// Boundary id of a face at a wall, numbers::internal_face_boundary_id
     /// elsewhere.

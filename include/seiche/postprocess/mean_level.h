@@ -12,9 +12,10 @@ namespace seiche
    * stands at it, is part of the surface.
    *
    * Where the surface lies over itself the fluid between counts, and so do
-   * drops, as if they had fallen: a splash does not change it. The bottom of
-   * the domain if there is no surface. With material points it is the volume of
-   * the points over the whole bottom. Vertical is the last direction.
+   * drops, as if they had fallen: a splash does not change it. If there is
+   * no surface, that of all drops over the whole bottom. With material points
+   * it is the volume of the points over the whole bottom. Vertical is the last
+   * direction.
    */
   template <int dim>
   class MeanLevel : public Postprocessor<dim>

@@ -4,6 +4,7 @@
 
 #include <seiche/postprocess/fluid_extent.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,8 @@ namespace seiche
     static constexpr const char *kind = "Gauge";
 
     std::string        name;
-    dealii::Point<dim> position;   ///< [m], vertical coordinate ignored
-    double             width = 0.; ///< [m], 0: the smallest cell edge
+    dealii::Point<dim> position; ///< [m], vertical coordinate ignored
+    double width = 0.;           ///< [m], 0: the smallest horizontal cell edge
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -75,8 +76,9 @@ namespace seiche
                const dealii::Point<dim> &place,
                const double              width) const;
 
-    /// @p domain: corners of the walls' box.
     using Corners = std::pair<dealii::Point<dim>, dealii::Point<dim>>;
+
+    /// @p domain: corners of the walls' box.
     Footprint
     footprint(const dealii::Point<dim> &position,
               const double              width,
@@ -92,6 +94,7 @@ namespace seiche
     const std::vector<GaugeParameters<dim>>       gauges;
     const GridParameters<dim>                    &box;
     const std::shared_ptr<FluidExtentOfStep<dim>> extent;
+    double default_width = std::numeric_limits<double>::max(); ///< [m]
   };
 } // namespace seiche
 

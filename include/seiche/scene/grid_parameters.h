@@ -94,6 +94,12 @@ namespace seiche
     dealii::BoundingBox<dim>
     domain() const;
 
+    /// Where a place of the start is once the sides have gone to those of @p
+    /// box: what is on a side goes with it.
+    dealii::Point<dim>
+    with_sides(const dealii::Point<dim>       &place,
+               const dealii::BoundingBox<dim> &box) const;
+
   private:
     void
     add_wall_parameters(dealii::ParameterHandler &prm);

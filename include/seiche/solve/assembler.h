@@ -83,10 +83,9 @@ namespace seiche
       return step;
     }
 
-    /// tau of a cell of this size [m] (speed zero, largest body force).
-    /// Collective.
+    /// tau of a cell of this size [m] under a body force [m/s^2], speed zero.
     Tau
-    reference_tau(const double size) const;
+    reference_tau(const double size, const double force) const;
 
     /// tau1 [m^4/N] of the pressure's ghost penalty: the transient one for
     /// every choice of the subscales' tau, which may be infinite or zero.

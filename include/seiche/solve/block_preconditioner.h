@@ -83,6 +83,7 @@ namespace seiche
     bool         mass_dominated      = false; ///< so that ILU was tried
     unsigned int velocity_generation = 0;     ///< pattern of the factors
     double       velocity_inertia    = 0.;    ///< C_a that they belong to
+    double       velocity_stiffness  = 0.;    ///< over inertia, likewise [-]
     double       velocity_factor     = 1.;
 
     SchurComplement<dim> schur;

@@ -15,9 +15,9 @@ namespace seiche
    */
   template <int dim>
   void
-  extrapolate_velocity(const PointCloud<dim> &points,
-                       const Occupancy<dim>  &occupancy,
-                       GridState<dim>        &state);
+  extrapolate_fields(const PointCloud<dim> &points,
+                     const Occupancy<dim>  &occupancy,
+                     GridState<dim>        &state);
 } // namespace seiche
 
 #endif
