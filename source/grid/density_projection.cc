@@ -15,8 +15,9 @@ namespace seiche
 
   namespace
   {
-    /// Nodes from this fill of the inside on take part.
-    constexpr double least_inside = 0.5;
+    /// Nodes from this fill of the inside on take part: not 1/2, which nodes of
+    /// surfaces along grid lines have but for round-off.
+    constexpr double least_inside = 0.51;
 
     constexpr double longest_shift = 0.1; // of the cell, each direction
 

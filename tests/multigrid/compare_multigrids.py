@@ -6,7 +6,7 @@
 
 The scene asks for tight tolerances. The scores and the energy at the end must
 be those of the default to 1e-6, on 1 and on 2 ranks. On one rank there must be
-N_DIFFERENT numbers of Krylov iterations: a choice that is not used, because the
+at least N_DIFFERENT numbers of Krylov iterations: a choice that is not used, because the
 system is small or because another is taken, gives the same one as another.
 """
 
@@ -55,8 +55,8 @@ def main():
                                         f"{value}, not {reference[key]}")
                 iterations[name, ranks] = krylov
         found = len({iterations[name, 1] for name in NAMES})
-        if found != int(n_different):
-            failures.append(f"{found} different numbers of iterations, not "
+        if found < int(n_different):
+            failures.append(f"{found} different numbers of iterations, not at least "
                             f"{n_different}")
     for failure in failures:
         print("FAILED:", failure)
