@@ -78,7 +78,9 @@ namespace seiche
       if (first == 0.)
         return {};
       return {{view.fill.has_surface() ? seen / first : 0.,
-               is_incompressible ? own / first - 1. : 0.,
+               is_incompressible && view.fill.has_free_surface() ?
+                 own / first - 1. :
+                 0.,
                view.fill.overfull_fraction(),
                is_incompressible && !view.fill.has_free_surface() ?
                  1. - first / cells :
