@@ -168,7 +168,7 @@ namespace seiche
   DensityProjection<dim>::find_potential(const double share)
   {
     potential.reinit(is_free);
-    const Vector &inside = fill.surface().nodal_fill();
+    const Vector &f = fill.nodal_fill(), &inside = fill.surface().nodal_fill();
     Vector        sums(is_free);
     double        total = 0., volume = 0.;
     for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
@@ -176,8 +176,7 @@ namespace seiche
         {
           const double V = occupancy.node_volume(i);
           sums.local_element(i) =
-            share *
-            (inside.local_element(i) - fill.nodal_fill().local_element(i)) * V;
+            share * (inside.local_element(i) - f.local_element(i)) * V;
           total += sums.local_element(i);
           volume += V;
         }

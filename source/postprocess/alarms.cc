@@ -18,7 +18,7 @@ namespace seiche
       const char *text, *advice;
     };
 
-    // in the order of the values of measure()
+    // in the order of the values in Alarms::execute()
     constexpr Quantity quantities[] = {
       {"seen volume",
        0.01,
@@ -43,50 +43,38 @@ namespace seiche
        "than a third of a cell under the lid, whose pressure is then not zero",
        "smaller cells, or a level at least half a cell below the lid"}};
 
+    /// Water that the weak forms see less that of the points [m^dim].
     template <int dim>
-    std::array<double, std::size(quantities)>
-    measure(const StepView<dim> &view)
+    double
+    excess_seen(const StepView<dim> &view)
     {
-      const bool is_incompressible =
-        view.bulk_modulus == std::numeric_limits<double>::infinity();
+      double difference = 0.;
+      if (view.fill.has_surface())
+        for (const unsigned int cell : view.occupancy.occupied_cells())
+          difference += (view.fill.inside_share(cell) +
+                         view.fill.loose_volume(cell, view.points) -
+                         view.fill.cell_fill(cell)) *
+                        view.occupancy.locator.measure(cell);
+      return Utilities::MPI::sum(difference, view.points.communicator);
+    }
+
+    /// [m^dim]
+    template <int dim>
+    double
+    volume_of_mesh(const StepView<dim> &view)
+    {
       const auto &locator = view.occupancy.locator;
-      // cells, points by their first volumes, by their own and as seen
-      std::array<double, 4> sums{};
-      auto &[cells, first, own, seen] = sums;
-      const double *first_volume =
-        view.points.data(PointColumn::initial_volume);
-      const double *ratio = view.points.data(PointColumn::volume_ratio);
+      double      volume  = 0.;
       for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-        cells += locator.measure(cell);
-      for (std::size_t p = 0; p < view.points.size(); ++p)
-        {
-          first += first_volume[p];
-          own += ratio[p] * first_volume[p];
-        }
-      double filled = 0.;
-      for (const unsigned int cell : view.occupancy.occupied_cells())
-        {
-          filled += view.fill.cell_fill(cell) * locator.measure(cell);
-          seen += (view.fill.inside_share(cell) +
-                   view.fill.loose_volume(cell, view.points)) *
-                  locator.measure(cell);
-        }
-      seen -= filled;
-      Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
-                          view.points.communicator,
-                          ArrayView<double>(sums.data(), sums.size()));
-      if (first == 0.)
-        return {};
-      return {{view.fill.has_surface() ? seen / first : 0.,
-               is_incompressible && view.fill.has_free_surface() ?
-                 own / first - 1. :
-                 0.,
-               view.fill.overfull_fraction(),
-               is_incompressible && !view.fill.has_free_surface() ?
-                 1. - first / cells :
-                 0.}};
+        volume += locator.measure(cell);
+      return Utilities::MPI::sum(volume, view.points.communicator);
     }
   } // namespace
+
+  template <int dim>
+  Alarms<dim>::Alarms(const MassAndEnergy<dim> &run_ledger)
+    : ledger(run_ledger)
+  {}
 
   template <int dim>
   void
@@ -94,7 +82,15 @@ namespace seiche
                        StatisticsTable & /*statistics*/)
   {
     static_assert(std::size(quantities) == n_quantities);
-    const std::array<double, n_quantities> values = measure(view);
+    const bool is_incompressible =
+      view.bulk_modulus == std::numeric_limits<double>::infinity();
+    const bool   is_full = !view.fill.has_free_surface();
+    const double volume  = ledger.first_volume();
+    const std::array<double, n_quantities> values = {
+      {excess_seen(view) / volume,
+       is_incompressible && !is_full ? ledger.volume_change() : 0.,
+       view.fill.overfull_fraction(),
+       is_incompressible && is_full ? 1. - volume / volume_of_mesh(view) : 0.}};
     new_alarms.clear();
     for (unsigned int i = 0; i < n_quantities; ++i)
       {

@@ -255,7 +255,7 @@ namespace seiche
 
     std::vector<double> values = {static_cast<double>(now.points),
                                   now.mass,
-                                  now.volume / now.initial_volume - 1.};
+                                  volume_change()};
     values.insert(values.end(), now.momentum.begin(), now.momentum.end());
     values.insert(values.end(),
                   now.angular_momentum.begin(),
@@ -302,8 +302,7 @@ namespace seiche
     nlohmann::ordered_json &ledger = summary["ledger"];
     ledger["mass_relative_change"] =
       number_or_null((now.mass + now.outflow_mass) / start.mass - 1.);
-    ledger["volume_relative_change"] =
-      number_or_null(now.volume / now.initial_volume - 1.);
+    ledger["volume_relative_change"] = number_or_null(volume_change());
     ledger["linear_momentum_change"] = momentum_change;
     ledger["angular_momentum_relative_change"] =
       number_or_null(rotates ? std::sqrt(change / size) : undefined);

@@ -253,7 +253,7 @@ namespace seiche
     auto ledger = std::make_unique<MassAndEnergy<dim>>(grid);
     all.ledger  = ledger.get();
     all.list.push_back(std::move(ledger));
-    auto alarms = std::make_unique<Alarms<dim>>();
+    auto alarms = std::make_unique<Alarms<dim>>(*all.ledger);
     all.alarms  = alarms.get();
     all.list.push_back(std::move(alarms));
 

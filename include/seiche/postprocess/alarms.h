@@ -2,7 +2,7 @@
 #ifndef seiche_postprocess_alarms_h
 #define seiche_postprocess_alarms_h
 
-#include <seiche/postprocess/postprocessor.h>
+#include <seiche/postprocess/mass_and_energy.h>
 
 #include <array>
 #include <string>
@@ -30,6 +30,10 @@ namespace seiche
       double      value;  ///< of the step that raised it [-]
     };
 
+    /// @p ledger: of the same steps, executed before; it must outlive the
+    /// object.
+    explicit Alarms(const MassAndEnergy<dim> &ledger);
+
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 
@@ -50,6 +54,8 @@ namespace seiche
            nlohmann::ordered_json &summary) override;
 
   private:
+    const MassAndEnergy<dim> &ledger;
+
     static constexpr unsigned int n_quantities = 4;
 
     std::array<double, n_quantities> largest{}; // so far, by size

@@ -39,6 +39,18 @@ namespace seiche
     finish(const StatisticsTable  &statistics,
            nlohmann::ordered_json &summary) override;
 
+    /// sum V0 [m^dim] of the last step, and sum J V0 over it, less 1 [-].
+    double
+    first_volume() const
+    {
+      return now.initial_volume;
+    }
+    double
+    volume_change() const
+    {
+      return now.volume / now.initial_volume - 1.;
+    }
+
     /// Kinetic and potential energy over that at the start; NaN if that was
     /// zero.
     double
