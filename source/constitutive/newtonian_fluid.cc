@@ -46,6 +46,9 @@ namespace seiche
   void
   FluidParameters::check(const InputFile &input)
   {
+    input.read_only_if(bulk_modulus_text != "infinite",
+                       "Fluid/Volume law",
+                       "a finite Fluid/Bulk modulus");
     input.require(density > 0.,
                   "Fluid/Density",
                   "must be greater than zero [kg/m^3]; water has 1000.");

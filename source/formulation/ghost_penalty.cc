@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/formulation/ghost_penalty.h>
+#include <seiche/parameters/input_file.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -40,6 +41,18 @@ namespace seiche
                       "slows fronts; 0: none [-]",
                       Patterns::Double(0., 16.));
     prm.leave_subsection();
+  }
+
+  void
+  FreeSurfaceParameters::check(const InputFile &input,
+                               const bool       is_mixed) const
+  {
+    input.read_only_if(is_mixed,
+                       "Free surface/Ghost pressure",
+                       "Formulation/Name = displacement-pressure");
+    input.read_only_if(velocity > 0.,
+                       "Free surface/Ghost velocity time",
+                       "Free surface/Ghost velocity");
   }
 
   GhostCoefficients

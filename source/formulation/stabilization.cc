@@ -178,6 +178,28 @@ namespace seiche
   StabilizationParameters::check(const InputFile &input,
                                  const bool       is_mixed) const
   {
+    const std::string section = "Formulation/";
+    input.read_only_if(is_mixed,
+                       section + "Stabilization",
+                       "Formulation/Name = displacement-pressure");
+    const bool has_subscales = is_mixed && is_active();
+    for (const char *entry : {"Tau",
+                              "Tau inertia factor",
+                              "Tau viscous factor",
+                              "Tau continuity factor",
+                              "Tau continuity modulus",
+                              "Tau continuity time"})
+      input.read_only_if(has_subscales,
+                         section + entry,
+                         "the subscales of the mixed form "
+                         "(Formulation/Stabilization)");
+    for (const char *entry : {"Projection updates", "Projection mass"})
+      input.read_only_if(is_mixed && is_orthogonal(),
+                         section + entry,
+                         "Formulation/Stabilization = OSGS or split OSGS");
+    input.read_only_if(has_subscales && !tau_entry(tau).is_uniform,
+                       section + "Tau speed floor",
+                       "Formulation/Tau = paper");
     input.require(has_inertia() || (is_mixed && is_active() && !is_split()),
                   "Formulation/Subscale residual",
                   "without inertia chooses what the subscales of the mixed "

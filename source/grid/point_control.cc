@@ -60,6 +60,11 @@ namespace seiche
                                 const bool         carries_gradient,
                                 const unsigned int per_cell)
   {
+    input.read_only_if(sweeps > 0,
+                       "Points/Shifting strength",
+                       "Points/Shifting sweeps");
+    for (const char *entry : {"Points/Fewest per cell", "Points/Most per cell"})
+      input.read_only_if(reseeding, entry, "Points/Reseeding = true");
     if (fewest == 0)
       fewest = (per_cell + 1) / 2;
     if (most == 0)

@@ -210,6 +210,7 @@ namespace seiche
     struct SchemeEntry
     {
       const char *name;
+      const char *entry; ///< of subsection "Time" that it alone reads, or empty
       std::unique_ptr<TimeScheme<dim>> (*make)(const TimeSchemeParameters &,
                                                const bool is_incompressible);
     };
@@ -217,6 +218,7 @@ namespace seiche
     template <int dim>
     constexpr std::array<SchemeEntry<dim>, 3> scheme_table = {
       {{"generalized midpoint",
+        "Rho infinity",
         [](const TimeSchemeParameters &p,
            const bool is_incompressible) -> std::unique_ptr<TimeScheme<dim>> {
           return std::make_unique<GeneralizedMidpoint<dim>>(
@@ -226,11 +228,13 @@ namespace seiche
             p.elastic_pressure == "end");
         }},
        {"bossak",
+        "Bossak alpha",
         [](const TimeSchemeParameters &p,
            const bool) -> std::unique_ptr<TimeScheme<dim>> {
           return std::make_unique<Bossak<dim>>(p.bossak_alpha);
         }},
        {"newmark",
+        "",
         [](const TimeSchemeParameters &,
            const bool) -> std::unique_ptr<TimeScheme<dim>> {
           return std::make_unique<Bossak<dim>>(0.);
@@ -285,6 +289,22 @@ namespace seiche
                       "sound that the steps resolve, c dt/h about 1 and less",
                       Patterns::Selection("end|middle"));
     prm.leave_subsection();
+  }
+
+  void
+  TimeSchemeParameters::check(const InputFile &input,
+                              const bool       is_incompressible) const
+  {
+    const std::string section = "Time/";
+    for (const auto &row : scheme_table<2>)
+      input.read_only_if(scheme == row.name,
+                         section + row.entry,
+                         section + "Scheme = " + row.name);
+    input.read_only_if(scheme == "generalized midpoint" && rho_infinity == 1. &&
+                         is_incompressible,
+                       section + "Pressure order",
+                       "Scheme = generalized midpoint, Rho infinity = 1, the "
+                       "mixed form and an infinite Fluid/Bulk modulus");
   }
 
   template <int dim>

@@ -184,6 +184,29 @@ namespace seiche
 
 
 
+  void
+  InputFile::read_only_if(const bool         has_reader,
+                          const std::string &path,
+                          const std::string &reader) const
+  {
+    if (has_reader || !is_set(path))
+      return;
+    // variants of a scene may share what only some of them need
+    const std::string place = origin(path);
+    const bool        is_included =
+      place.rfind(filename + ":", 0) != 0 && place.rfind("--set", 0) != 0;
+    if (is_included)
+      return;
+    const std::string text = place + ": " + entry_in_words(path) + " = " +
+                             value(path) + " has no effect: only with " +
+                             reader + " is it read";
+    if (std::find(set_in_vain.begin(), set_in_vain.end(), text) ==
+        set_in_vain.end())
+      set_in_vain.push_back(text);
+  }
+
+
+
   std::string
   InputFile::origin(const std::string &path) const
   {

@@ -45,6 +45,7 @@ namespace seiche
   void
   SeedingParameters::check(const InputFile &input) const
   {
+    input.read_only_if(jitter > 0., "Points/Seed", "Points/Jitter");
     input.require(std::isfinite(jitter),
                   "Points/Jitter",
                   "must be a number from 0 to 0.5.");

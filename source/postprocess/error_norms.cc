@@ -64,6 +64,9 @@ namespace seiche
   ErrorParameters<dim>::check(const InputFile           &input,
                               const BackgroundGrid<dim> &grid) const
   {
+    input.read_only_if(norm != "relative L2",
+                       std::string(kind) + " " + name + "/Scale",
+                       "Norm = rms or maximum");
     input.require(scale > 0.,
                   std::string(kind) + " " + name + "/Scale",
                   "the scale must be positive.");

@@ -87,6 +87,9 @@ namespace seiche
     input.require(table.empty() || !input.is_set(section + "/Reference"),
                   section + "/Reference",
                   "there is a \"Reference table\" too; keep one of the two.");
+    for (const char *entry :
+         {"/Table columns", "/Table factors", "/Interpolation"})
+      input.read_only_if(!table.empty(), section + entry, "Reference table");
     input.require(scale != 0., section + "/Scale", "the scale must not be 0.");
     input.require(to == 0. || to >= from,
                   section + "/To",

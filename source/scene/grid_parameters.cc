@@ -107,6 +107,13 @@ namespace seiche
                     "direction.");
     for (unsigned int d = 0; d < dim; ++d)
       check_lines(input, d);
+    input.read_only_if(std::any_of(cells.begin(),
+                                   cells.end(),
+                                   [](const auto &of_segments) {
+                                     return of_segments.empty();
+                                   }),
+                       "Grid/Cell size",
+                       "a direction without \"Cells\"");
     check_walls(input);
     check_size(input);
     refinement.check(input, *this);

@@ -153,10 +153,21 @@ namespace seiche
         RefinementCriterion<dim> &criterion = criteria[i];
         criterion.kind                      = kind_from_string(texts[i].kind);
         criterion.places.clear();
-        const std::string path = "Refinement " + criterion.name + "/";
-        if (criterion.kind == RefinementKind::box)
+        const std::string path    = "Refinement " + criterion.name + "/";
+        const bool        is_box  = criterion.kind == RefinementKind::box;
+        const bool        is_near = !is_box && !criterion.follows_fluid();
+        input.read_only_if(criterion.follows_fluid(),
+                           path + "Layers",
+                           "Criterion = fluid or free surface");
+        for (const char *entry : {"Distance", "Names"})
+          input.read_only_if(is_near,
+                             path + entry,
+                             "Criterion = walls or probes");
+        for (const char *entry : {"Lower corner", "Upper corner"})
+          input.read_only_if(is_box, path + entry, "Criterion = box");
+        if (is_box)
           read_box(input, grid, i);
-        else if (!criterion.follows_fluid())
+        else if (is_near)
           {
             input.require(criterion.distance > 0.,
                           path + "Distance",

@@ -16,7 +16,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
+#include <set>
 
 namespace seiche
 {
@@ -276,52 +278,13 @@ namespace seiche
 
 
 
-  template <int dim>
-  void
-  FluidBodyParameters<dim>::add_parameters(dealii::ParameterHandler &prm)
-  {
-    prm.enter_subsection("Fluid body " + name);
-    prm.add_parameter("Shape",
-                      shape,
-                      "Shape of the body; each uses its own entries below.",
-                      dealii::Patterns::Selection(
-                        "box|ball|ellipsoid|polygon|expression"));
-    prm.add_parameter("Lower corner", lower_text, "Of a box. [m]");
-    prm.add_parameter("Upper corner", upper_text, "Of a box. [m]");
-    prm.add_parameter("Centre", centre_text, "Of a ball or ellipsoid. [m]");
-    prm.add_parameter("Radius", radius_text, "Of a ball. [m]");
-    prm.add_parameter("Semi-axes",
-                      semi_axes_text,
-                      "Of an ellipsoid, one per direction. [m]");
-    prm.add_parameter("Vertices",
-                      vertices_text,
-                      dim == 2 ? "Of a polygon, in order: x y, x y, ... [m]" :
-                                 "Of a polygon, in order: x z, x z, ...; the "
-                                 "body is a prism along y. [m]");
-    if (dim == 3)
-      prm.add_parameter("Span",
-                        span_text,
-                        "Of a polygon: from and to in y; empty: the whole "
-                        "domain. [m]");
-    prm.add_parameter("Expression",
-                      expression_text,
-                      "The fluid is where this function of x, y[, z] is "
-                      "negative. A continuous one; it is evaluated in the "
-                      "whole domain, walls included.");
-    prm.add_parameter("Velocity",
-                      velocity,
-                      "Velocity at the start: one expression of x, y[, z] "
-                      "per direction, separated by \";\". [m/s]");
-    prm.leave_subsection();
-  }
-
-
-
   namespace
   {
     template <int dim>
     std::unique_ptr<Region<dim>>
-    make_box(const InputFile &input, const FluidBodyParameters<dim> &body)
+    make_box(const InputFile                &input,
+             const FluidBodyParameters<dim> &body,
+             const Box<dim> &)
     {
       const auto lower = entry_values::point<dim>(input,
                                                   body.path("Lower corner"),
@@ -341,7 +304,9 @@ namespace seiche
 
     template <int dim>
     std::unique_ptr<Region<dim>>
-    make_ellipsoid(const InputFile &input, const FluidBodyParameters<dim> &body)
+    make_ellipsoid(const InputFile                &input,
+                   const FluidBodyParameters<dim> &body,
+                   const Box<dim> &)
     {
       const auto centre =
         entry_values::point<dim>(input, body.path("Centre"), body.centre_text);
@@ -376,6 +341,65 @@ namespace seiche
                     body.path("Span"),
                     "must be two numbers in order, from and to in y.");
       return std::array<double, 2>{{numbers[0], numbers[1]}};
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<Region<dim>>
+    make_polygon(const InputFile                &input,
+                 const FluidBodyParameters<dim> &body,
+                 const Box<dim>                 &domain)
+    {
+      return std::make_unique<PolygonRegion<dim>>(
+        read_polygon(input, body.path("Vertices"), body.vertices_text),
+        read_span(input, body),
+        domain);
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<Region<dim>>
+    make_expression(const InputFile                &input,
+                    const FluidBodyParameters<dim> &body,
+                    const Box<dim>                 &domain)
+    {
+      return std::make_unique<ExpressionRegion<dim>>(
+        Expression<dim>(input,
+                        body.path("Expression"),
+                        body.expression_text,
+                        /*n_components=*/1,
+                        domain.get_boundary_points().first),
+        domain);
+    }
+
+
+
+    /// One row of the table of shapes.
+    template <int dim>
+    struct Shape
+    {
+      const char              *name;
+      std::vector<std::string> entries; ///< that it reads
+      std::unique_ptr<Region<dim>> (*make)(const InputFile &,
+                                           const FluidBodyParameters<dim> &,
+                                           const Box<dim> &domain);
+    };
+
+
+
+    template <int dim>
+    const std::vector<Shape<dim>> &
+    shapes()
+    {
+      static const std::vector<Shape<dim>> table = {
+        {"box", {"Lower corner", "Upper corner"}, make_box<dim>},
+        {"ball", {"Centre", "Radius"}, make_ellipsoid<dim>},
+        {"ellipsoid", {"Centre", "Semi-axes"}, make_ellipsoid<dim>},
+        {"polygon", {"Vertices", "Span"}, make_polygon<dim>},
+        {"expression", {"Expression"}, make_expression<dim>}};
+      return table;
     }
 
 
@@ -418,28 +442,79 @@ namespace seiche
 
 
   template <int dim>
+  void
+  FluidBodyParameters<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    std::string names;
+    for (const Shape<dim> &row : shapes<dim>())
+      names += (names.empty() ? "" : "|") + std::string(row.name);
+    prm.enter_subsection("Fluid body " + name);
+    prm.add_parameter("Shape",
+                      shape,
+                      "Shape of the body; each uses its own entries below.",
+                      dealii::Patterns::Selection(names));
+    prm.add_parameter("Lower corner", lower_text, "Of a box. [m]");
+    prm.add_parameter("Upper corner", upper_text, "Of a box. [m]");
+    prm.add_parameter("Centre", centre_text, "Of a ball or ellipsoid. [m]");
+    prm.add_parameter("Radius", radius_text, "Of a ball. [m]");
+    prm.add_parameter("Semi-axes",
+                      semi_axes_text,
+                      "Of an ellipsoid, one per direction. [m]");
+    prm.add_parameter("Vertices",
+                      vertices_text,
+                      dim == 2 ? "Of a polygon, in order: x y, x y, ... [m]" :
+                                 "Of a polygon, in order: x z, x z, ...; the "
+                                 "body is a prism along y. [m]");
+    if (dim == 3)
+      prm.add_parameter("Span",
+                        span_text,
+                        "Of a polygon: from and to in y; empty: the whole "
+                        "domain. [m]");
+    prm.add_parameter("Expression",
+                      expression_text,
+                      "The fluid is where this function of x, y[, z] is "
+                      "negative. A continuous one; it is evaluated in the "
+                      "whole domain, walls included.");
+    prm.add_parameter("Velocity",
+                      velocity,
+                      "Velocity at the start: one expression of x, y[, z] "
+                      "per direction, separated by \";\". [m/s]");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  FluidBodyParameters<dim>::check(const InputFile &input) const
+  {
+    std::map<std::string, std::string> readers; // of an entry: names of shapes
+    std::set<std::string>              read;
+    for (const Shape<dim> &row : shapes<dim>())
+      for (const std::string &entry : row.entries)
+        {
+          std::string &names = readers[entry];
+          names += (names.empty() ? "" : " or ") + std::string(row.name);
+          if (shape == row.name)
+            read.insert(entry);
+        }
+    for (const auto &[entry, names] : readers)
+      input.read_only_if(read.count(entry) > 0,
+                         path(entry),
+                         "Shape = " + names);
+  }
+
+
+
+  template <int dim>
   std::unique_ptr<Region<dim>>
   FluidBodyParameters<dim>::make_region(const InputFile &input,
                                         const Box<dim>  &domain) const
   {
     std::unique_ptr<Region<dim>> region;
-    if (shape == "box")
-      region = make_box(input, *this);
-    else if (shape == "ball" || shape == "ellipsoid")
-      region = make_ellipsoid(input, *this);
-    else if (shape == "expression")
-      region = std::make_unique<ExpressionRegion<dim>>(
-        Expression<dim>(input,
-                        path("Expression"),
-                        expression_text,
-                        /*n_components=*/1,
-                        domain.get_boundary_points().first),
-        domain);
-    else
-      region = std::make_unique<PolygonRegion<dim>>(
-        read_polygon(input, path("Vertices"), vertices_text),
-        read_span(input, *this),
-        domain);
+    for (const Shape<dim> &row : shapes<dim>())
+      if (shape == row.name)
+        region = row.make(input, *this, domain);
     Assert(region != nullptr, dealii::ExcInternalError());
     require_inside(input, *this, region->bounding_box(), domain);
     return region;

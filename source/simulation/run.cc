@@ -118,6 +118,8 @@ namespace seiche
       if (!restarts)
         take_folder(directory, lock, communicator);
       report.header(simulation->description());
+      for (const std::string &text : scene.input.without_effect())
+        report.warn(text, "");
       if (restarts)
         report.header("going on from " + start->filename);
       on_first_rank(communicator, [&]() {
@@ -186,7 +188,11 @@ namespace seiche
       {
         const std::string text = validate(scene, communicator);
         if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-          std::cout << text << std::flush;
+          {
+            for (const std::string &in_vain : input.without_effect())
+              std::cerr << "warning: " << in_vain << '\n';
+            std::cout << text << std::flush;
+          }
         return ExitCode::finished;
       }
 

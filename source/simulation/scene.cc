@@ -68,6 +68,8 @@ namespace seiche
   void
   Scene<dim>::check(const InputFile &input_file)
   {
+    for (const auto &body : bodies)
+      body.check(input_file);
     grid.check(input_file);
     (void)WallVelocity<dim>(grid, input_file, time.end_time);
     const WallMotion<dim> wall_motion(grid, input_file, time.end_time);
@@ -75,7 +77,16 @@ namespace seiche
     fluid.check(input_file);
     seeding.check(input_file);
     formulation.check(input_file);
+    free_surface.check(input_file, formulation.is_mixed());
     time.check(input_file);
+    time_scheme.check(input_file,
+                      formulation.is_mixed() && fluid.is_incompressible());
+    input_file.read_only_if(formulation.is_mixed(),
+                            "Time/Velocity projection",
+                            "Formulation/Name = displacement-pressure");
+    input_file.read_only_if(quadrature.has_surface(),
+                            "Points/Density rate",
+                            "Quadrature/Rule = cut cells");
     transfer.check(input_file, formulation.degree, seeding.per_direction);
     linear_solver.check(input_file, formulation.is_mixed());
     unsigned int per_cell = 1;

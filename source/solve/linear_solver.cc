@@ -90,6 +90,14 @@ namespace seiche
                                 const bool       has_pressure) const
   {
     const bool is_automatic = multigrid_method(multigrid).factorises_small;
+    for (const char *entry :
+         {"Solver/Linear tolerance", "Solver/Linear maximum iterations"})
+      input.read_only_if(solver != "direct",
+                         entry,
+                         "Solver/Linear solver = iterative or automatic");
+    input.read_only_if(has_pressure,
+                       "Solver/Projection tolerance",
+                       "Formulation/Name = displacement-pressure");
     input.require(is_automatic || has_pressure,
                   "Solver/Multigrid",
                   "the irreducible form has no pressure to solve for: set it "

@@ -113,6 +113,12 @@ namespace seiche
   void
   TimeStepParameters::check(const InputFile &input) const
   {
+    input.read_only_if(is_controlled(),
+                       "Time/CFL number",
+                       "Time/Step control = CFL or error");
+    input.read_only_if(controls_error(),
+                       "Time/Error tolerance",
+                       "Time/Step control = error");
     input.require(minimum_step <= step,
                   "Time/Minimum step",
                   "it must not exceed Time/Step");

@@ -133,13 +133,19 @@ namespace seiche
                             const unsigned int points_per_direction) const
   {
     const VelocityUpdate update = transfer_method(method).update;
-    input.require(degree == 1 || (update != VelocityUpdate::xpic &&
-                                  update != VelocityUpdate::fmpm),
+    const bool           is_series =
+      update == VelocityUpdate::xpic || update == VelocityUpdate::fmpm;
+    input.read_only_if(update == VelocityUpdate::blend,
+                       "Transfer/FLIP fraction",
+                       "Transfer/Method = PIC/FLIP blend");
+    input.read_only_if(is_series,
+                       "Transfer/Order",
+                       "Transfer/Method = XPIC or FMPM");
+    input.require(degree == 1 || !is_series,
                   "Transfer/Method",
                   "the series of XPIC and FMPM need Formulation/Element degree "
                   "= 1; with degree 2 choose another Method, such as FLIP");
-    input.require(!is_consistent(degree) || (update != VelocityUpdate::xpic &&
-                                             update != VelocityUpdate::fmpm),
+    input.require(!is_consistent(degree) || !is_series,
                   "Transfer/Mass",
                   "the series of XPIC and FMPM come near to the consistent "
                   "mass, with which Transfer/Order is without effect: set it "

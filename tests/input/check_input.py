@@ -6,7 +6,8 @@
 
 Every case must end with the exit code of its kind, one message on standard
 error that holds the expected texts (file:line and the entry among them),
-nothing on standard output, and must leave the folder as it was.
+nothing on standard output, and must leave the folder as it was. The group
+"shipped" validates every parameter file of the project instead.
 """
 
 import argparse
@@ -50,7 +51,8 @@ class Case:
 
     def __init__(self, name, old=None, new="", expect=(), text=None,
                  arguments=None, code=INPUT, line=True, others=None,
-                 validate=True, prepare=None, full_disk=False):
+                 validate=True, prepare=None, full_disk=False,
+                 silent=False):
         self.name, self.code, self.expect = name, code, list(expect)
         self.text = SCENE if text is None else text
         if old is not None:
@@ -65,6 +67,7 @@ class Case:
         self.arguments = ["scene.prm"] if arguments is None else arguments
         self.validate, self.others = validate, others or {}
         self.prepare, self.full_disk = prepare, full_disk
+        self.silent = silent
 
 
 def added(text):
@@ -508,9 +511,78 @@ OUTPUT = [
                        ("timing.txt.writing", "timing.txt")]
 ]
 
+def in_vain(entry, added_to=None, **options):
+    """An entry that the scene does not read: a warning that names it."""
+    section, name = entry.split("/")
+    value = options.pop("value")
+    return Case(f"without effect: {entry}",
+                arguments=["scene.prm", "--set", f"{entry} = {value}",
+                           *[part for change in options.pop("also", ())
+                             for part in ("--set", change)]],
+                code=0, line=None,
+                expect=[f'entry "{name}" in "{section}" = {value} has no effect',
+                        options.pop("reader")])
+
+
+IRREDUCIBLE = ("Formulation/Name = displacement", "Fluid/Bulk modulus = 1e6")
+
+# Entries that nothing in the scene reads: said once, nothing refused.
+WITHOUT_EFFECT = [
+    in_vain("Time/CFL number", value="0.3", reader="Time/Step control = CFL"),
+    in_vain("Time/Error tolerance", value="0.1",
+            reader="Time/Step control = error",
+            also=["Time/Step control = CFL"]),
+    in_vain("Time/Bossak alpha", value="-0.1", reader="Time/Scheme = bossak"),
+    in_vain("Time/Rho infinity", value="0.5", also=["Time/Scheme = newmark"],
+            reader="Time/Scheme = generalized midpoint"),
+    in_vain("Time/Pressure order", value="first", reader="Rho infinity = 1",
+            also=["Time/Rho infinity = 0.5"]),
+    in_vain("Time/Velocity projection", value="at the start",
+            reader="displacement-pressure", also=IRREDUCIBLE),
+    in_vain("Transfer/FLIP fraction", value="0.9", reader="PIC/FLIP blend"),
+    in_vain("Transfer/Order", value="3", reader="XPIC or FMPM"),
+    in_vain("Points/Shifting strength", value="0.1", reader="Shifting sweeps"),
+    in_vain("Points/Fewest per cell", value="3", reader="Reseeding"),
+    in_vain("Points/Most per cell", value="30", reader="Reseeding"),
+    in_vain("Points/Seed", value="3", reader="Points/Jitter"),
+    in_vain("Points/Density rate", value="1", reader="cut cells",
+            also=["Quadrature/Rule = material points"]),
+    in_vain("Formulation/Projection updates", value="2", reader="OSGS"),
+    in_vain("Formulation/Projection mass", value="consistent", reader="OSGS"),
+    in_vain("Formulation/Tau speed floor", value="2", reader="Tau = paper"),
+    in_vain("Formulation/Stabilization", value="OSGS",
+            reader="displacement-pressure", also=IRREDUCIBLE),
+    in_vain("Formulation/Tau continuity factor", value="0.5",
+            reader="subscales", also=["Formulation/Stabilization = none"]),
+    in_vain("Free surface/Ghost pressure", value="0.5",
+            reader="displacement-pressure", also=IRREDUCIBLE),
+    in_vain("Free surface/Ghost velocity time", value="0.1",
+            reader="Ghost velocity", also=["Free surface/Ghost velocity = 0"]),
+    in_vain("Fluid/Volume law", value="logarithmic", reader="finite"),
+    in_vain("Fluid body column/Radius", value="0.1", reader="Shape = ball"),
+    in_vain("Fluid body column/Centre", value="0.1, 0.1",
+            reader="ball or ellipsoid"),
+    in_vain("Solver/Linear tolerance", value="0.1", reader="iterative",
+            also=["Solver/Linear solver = direct"]),
+    in_vain("Solver/Projection tolerance", value="0.01",
+            reader="displacement-pressure", also=IRREDUCIBLE),
+    in_vain("Grid/Cell size", value="0.2", reader='without "Cells"',
+            also=["Grid/Cells x = 10", "Grid/Cells y = 5"]),
+    Case("without effect: in a refinement and a score",
+         **added("subsection Refinement near\n  set Level = 1\n"
+                 "  set Distance = 0.1\nend\n"
+                 "subsection Score level\n  set Column = mass [kg]\n"
+                 "  set Interpolation = spline\nend\n"),
+         code=0, line=LAST + 3,
+         expect=['"Distance"', "walls or probes", '"Interpolation"', "Reference table"]),
+    Case("set, but to the default", arguments=["scene.prm", "--set",
+         "Time/CFL number = 0.4"], code=0, silent=True),
+]
+
 GROUPS = {"syntax": SYNTAX, "names": NAMES, "values": VALUES,
           "geometry": GEOMETRY, "expressions": EXPRESSIONS,
-          "command_line": COMMAND_LINE, "output": OUTPUT}
+          "command_line": COMMAND_LINE, "without_effect": WITHOUT_EFFECT,
+          "output": OUTPUT}
 
 
 def snapshot(folder):
@@ -545,6 +617,8 @@ def run_case(program, case, folder):
     for text in ("internal error", "Stacktrace", "terminate called"):
         if text in result.stderr:
             problems.append(f"the message has {text!r}")
+    if case.silent and result.stderr:
+        problems.append("something is printed on standard error")
     if case.code == INPUT and result.stdout:
         problems.append("something is printed on standard output")
     if snapshot(folder) != before:
@@ -558,13 +632,31 @@ def run_case(program, case, folder):
     return problems, result.stdout + result.stderr
 
 
+def check_shipped(program):
+    """Every parameter file of the project is valid and has no entry in vain."""
+    root = pathlib.Path(__file__).resolve().parents[2]
+    files = [*sorted((root / "prm").rglob("*.prm")),
+             *sorted((root / "tests").rglob("*.prm"))]
+    failures = 0
+    for file in files:
+        result = subprocess.run([program, str(file), "--validate"],
+                                capture_output=True, text=True, timeout=120)
+        if result.returncode != 0 or result.stderr:
+            failures += 1
+            print(f"FAILED: {file.relative_to(root)}\n    {result.stderr.strip()}")
+    print(f"{len(files)} files, {failures} failed")
+    return 1 if failures else 0
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=pathlib.Path)
-    parser.add_argument("group", choices=[*GROUPS, "all"])
+    parser.add_argument("group", choices=[*GROUPS, "shipped", "all"])
     parser.add_argument("--verbose", action="store_true")
     options = parser.parse_args()
     program = str(options.program.resolve())
+    if options.group == "shipped":
+        return check_shipped(program)
     cases = [case for name, group in GROUPS.items() for case in group
              if options.group in (name, "all")]
     if options.group == "all" or options.group == "values":

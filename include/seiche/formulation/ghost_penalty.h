@@ -12,6 +12,8 @@ namespace dealii
 
 namespace seiche
 {
+  class InputFile;
+
   /// prm entries of subsection "Free surface".
   struct FreeSurfaceParameters
   {
@@ -23,6 +25,8 @@ namespace seiche
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+    void
+    check(const InputFile &input, const bool is_mixed) const;
 
     bool
     has_ghost_penalty() const

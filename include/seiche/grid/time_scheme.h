@@ -14,6 +14,8 @@ namespace dealii
 
 namespace seiche
 {
+  class InputFile;
+
   /**
    * @brief Scalars of a step that the weak forms need.
    *
@@ -58,6 +60,9 @@ namespace seiche
 
     void
     add_parameters(dealii::ParameterHandler &prm);
+    /// @p is_incompressible: mixed form, infinite bulk modulus.
+    void
+    check(const InputFile &input, const bool is_incompressible) const;
   };
 
   /**

@@ -86,6 +86,21 @@ namespace seiche
         fail(path, problem);
     }
 
+    /// State that the scene reads an entry only with @p reader ("Time/Step
+    /// control = CFL"), and whether it has that: checks of options call it. An
+    /// included file may have entries that only some of its users read.
+    void
+    read_only_if(const bool         has_reader,
+                 const std::string &path,
+                 const std::string &reader) const;
+
+    /// One text for each entry that is set although the scene does not read it.
+    const std::vector<std::string> &
+    without_effect() const
+    {
+      return set_in_vain;
+    }
+
     const std::string filename;
 
     /// Directory of the file: relative names in it (reference tables) start
@@ -114,8 +129,9 @@ namespace seiche
     InputText text;
     bool      documentation = false;
     // asked for so far: the hints for misspelt kinds need them
-    mutable std::set<std::string> kinds;
-    mutable std::set<std::string> entries_at_default;
+    mutable std::set<std::string>    kinds;
+    mutable std::set<std::string>    entries_at_default;
+    mutable std::vector<std::string> set_in_vain;
   };
 } // namespace seiche
 

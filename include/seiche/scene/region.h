@@ -69,6 +69,9 @@ namespace seiche
     void
     add_parameters(dealii::ParameterHandler &prm);
 
+    void
+    check(const InputFile &input) const;
+
     /// Make the region; InputError with place for bad sizes. @p domain is the
     /// box of the grid: a body that reaches out of it is refused. @p input
     /// must outlive the region.
