@@ -3,6 +3,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/simulation/run.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/printable.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -22,6 +23,8 @@
 namespace
 {
   using seiche::ExitCode;
+
+  constexpr std::size_t longest_line = 4000; // of a message
 
   /// Freed memory stays with the process: the arrays of a step come and go with
   /// the same sizes, and clearing new pages took 5 to 7 % of a 3D step.
@@ -47,6 +50,8 @@ namespace
     setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
     setenv("OMPI_MCA_pml", "ob1", keep);
     setenv("OMPI_MCA_btl", "self", keep);
+    // many starts at once fell over each other making its folder
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
   }
 
   ExitCode
@@ -101,8 +106,9 @@ namespace
                     const bool         speaks)
   {
     const bool together = all_ranks_failed(communicator);
+    // parts of what was read stand in it
     if (speaks || !together)
-      std::cerr << message << std::endl;
+      std::cerr << seiche::printable(message, longest_line) << std::endl;
     if (!together)
       {
         // mpirun drops what it has not yet forwarded when it kills the ranks

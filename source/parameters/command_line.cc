@@ -24,10 +24,11 @@ namespace seiche
     [[noreturn]] void
     refuse(const std::string &problem)
     {
-      throw InputError("command line: " + problem +
-                       " Usage: seiche FILE.prm [--set \"Subsection/Entry = "
-                       "value\"]... [--output DIR] [--restart] [--validate] "
-                       "[--print-parameters] [--version] [--help]");
+      throw InputError(
+        "command line: " + problem +
+        " Usage: seiche FILE.prm [--set \"Subsection/Entry = "
+        "value\"]... [--output DIR] [--restart] [--max-hours H] [--validate] "
+        "[--print-parameters] [--version] [--help]");
     }
 
     /// Options must be known; a second file is one too many.
@@ -46,6 +47,7 @@ namespace seiche
                                             {"--set",
                                              "--output",
                                              "--restart",
+                                             "--max-hours",
                                              "--validate",
                                              "--print-parameters",
                                              "--version",
@@ -79,6 +81,10 @@ namespace seiche
     app.add_flag("--restart",
                  result.restart,
                  "Go on from the newest checkpoint in that folder");
+    app.add_option("--max-hours",
+                   result.max_hours,
+                   "Wall time after which the run has stopped with a "
+                   "checkpoint");
     app.add_flag("--validate",
                  result.validate,
                  "Read and check everything, compute nothing");
@@ -108,6 +114,8 @@ namespace seiche
       return result;
     if (result.filename.empty())
       refuse("no parameter file is given.");
+    if (!(result.max_hours > 0.))
+      refuse("--max-hours needs a time greater than zero [h].");
     if (output->count() > 0 && result.output.empty())
       refuse("--output needs the name of a folder.");
     if (result.output.empty())

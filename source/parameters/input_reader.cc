@@ -2,6 +2,7 @@
 #include <seiche/parameters/input_reader.h>
 #include <seiche/parameters/nearest_name.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/regular_file.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -22,21 +23,13 @@ namespace seiche
     constexpr std::uintmax_t largest_file = 16u << 20;
     constexpr unsigned int   most_files   = 100;
     constexpr std::size_t    most_shown   = 20;
+    constexpr std::size_t    deepest      = 8; // subsections in each other
 
     /// The whole file; the problem as text if it cannot be one of ours.
     std::string
     file_contents(const std::string &filename, std::string &problem)
     {
-      std::error_code error;
-      const auto      status = fs::status(filename, error);
-      if (!fs::exists(status))
-        problem = "there is no such file";
-      else if (fs::is_directory(status))
-        problem = "this is a folder; give the parameter file in it";
-      else if (!fs::is_regular_file(status))
-        problem = "this is not a regular file; copy its text into one";
-      else if (fs::file_size(filename, error) > largest_file)
-        problem = "this file is larger than 16 MiB; it is not a parameter file";
+      problem = problem_of_file(filename, largest_file);
       if (!problem.empty())
         return "";
 
@@ -251,7 +244,13 @@ namespace seiche
                            "\" has one of / , ; \" in it; leave them out.");
       const std::string path = path_of(name);
       open.push_back({name, origin});
-      text.add_subsection(path, origin);
+      if (open.size() == deepest + 1)
+        problems.push_back(fmt::format("{}: more than {} subsections stand in "
+                                       "each other; scenes have one level.",
+                                       origin,
+                                       deepest));
+      if (open.size() <= deepest)
+        text.add_subsection(path, origin);
     }
 
 
@@ -259,6 +258,8 @@ namespace seiche
     void
     Reader::set_entry(const std::string &line, const std::string &origin)
     {
+      if (open.size() > deepest)
+        return; // reported
       const std::size_t equals = line.find('=');
       const std::string name   = trim(line.substr(0, equals));
       if (equals == std::string::npos || name.empty())

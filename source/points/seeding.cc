@@ -141,8 +141,10 @@ namespace seiche
       void
       fill(const unsigned int cell);
 
-      double smallest_spacing = std::numeric_limits<double>::max();
-      double largest_share    = 0.; ///< of a point, of its place [-]
+      double        smallest_spacing = std::numeric_limits<double>::max();
+      double        largest_share    = 0.; ///< of a point, of its place [-]
+      double        mass             = 0.; ///< [kg]
+      std::uint64_t n_points         = 0;
 
     private:
       void
@@ -268,6 +270,8 @@ namespace seiche
             std::max(largest_share, piece.volume / lattice.measure());
           for (unsigned int d = 0; d < dim; ++d)
             smallest_spacing = std::min(smallest_spacing, lattice.spacing[d]);
+          mass += density * piece.volume;
+          ++n_points;
         }
     }
 
@@ -382,7 +386,8 @@ namespace seiche
                               n_places,
                               id_bits));
     check_memory(made, n_places, input, points);
-    double smallest_spacing = std::numeric_limits<double>::max();
+    SeedingResult result;
+    double        smallest_spacing = std::numeric_limits<double>::max();
     for (unsigned int b = 0; b < made.size(); ++b)
       {
         Seeder<dim> seeder(parameters, made, b, density, points);
@@ -396,9 +401,13 @@ namespace seiche
                       "the body holds no material point: it is smaller than "
                       "the spacing of the points, or it lies inside an "
                       "obstacle or an earlier body.");
+        result.bodies.push_back(
+          {bodies[b].name,
+           dealii::Utilities::MPI::sum(seeder.n_points, points.communicator),
+           dealii::Utilities::MPI::sum(seeder.mass, points.communicator),
+           density * made[b].region->volume()});
       }
     points.locate();
-    SeedingResult result;
     result.n_points = points.n_global();
     result.half_spacing =
       0.5 * dealii::Utilities::MPI::min(smallest_spacing, points.communicator);

@@ -2,6 +2,9 @@
 #include <seiche/postprocess/hdf5_handle.h>
 #include <seiche/postprocess/hdf5_reader.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/regular_file.h>
+
+#include <limits>
 
 namespace seiche
 {
@@ -9,6 +12,10 @@ namespace seiche
     : filename(name)
     , file(-1)
   {
+    if (const std::string problem =
+          problem_of_file(name, std::numeric_limits<std::uintmax_t>::max());
+        !problem.empty())
+      throw FileError(name + ": " + problem + ".");
     // failures are reported by check(), not by a trace on the screen
     check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "HDF5 does not start");
     file = check(H5Fopen(name.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),

@@ -314,14 +314,11 @@ namespace seiche
         const std::string &name = score.parameters.name;
         std::string        warning;
         const auto         value = score.evaluate(statistics, warning);
-        if (value)
-          errors[name] = *value;
-        else
-          {
-            errors[name] = nullptr;
-            summary["warnings"].push_back("no score \"" + name +
-                                          "\": " + warning);
-          }
+        errors[name] = value ? nlohmann::ordered_json(*value) : nullptr;
+        if (!warning.empty())
+          summary["warnings"].push_back((value ? "" : "no ") +
+                                        std::string("score \"") + name +
+                                        "\": " + warning);
       }
     summary["errors"] = errors;
   }

@@ -203,6 +203,8 @@ namespace seiche
           }
         for (unsigned int c = 0; c < (scalar ? 1 : dim); ++c)
           readings.push_back(sum[c] / places[k].size());
+        if (scalar && view.step == 0) // there is none before the first step
+          readings.back() = std::numeric_limits<double>::quiet_NaN();
       }
     Utilities::MPI::sum(ArrayView<const double>(readings.data(),
                                                 readings.size()),

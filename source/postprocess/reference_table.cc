@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/reference_table.h>
+#include <seiche/utilities/regular_file.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -17,6 +18,8 @@ namespace seiche
 {
   namespace
   {
+    constexpr std::uintmax_t largest_table = 64u << 20;
+
     std::string
     trimmed(const std::string &text)
     {
@@ -59,11 +62,16 @@ namespace seiche
     const Interpolation                             interpolation,
     const std::function<void(const std::string &)> &fail)
   {
+    if (const std::string problem = problem_of_file(filename, largest_table);
+        !problem.empty())
+      fail(fmt::format("the reference table {}: {}. Names are relative to the "
+                       "parameter file.",
+                       filename,
+                       problem));
     std::ifstream stream(filename);
     std::string   line;
     if (!stream || stream.peek() == std::ifstream::traits_type::eof())
-      fail(fmt::format("the reference table {} does not exist, cannot be read "
-                       "or is empty; names are relative to the parameter file.",
+      fail(fmt::format("the reference table {} cannot be read or is empty.",
                        filename));
 
     bool header = false;

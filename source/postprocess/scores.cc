@@ -12,6 +12,11 @@
 
 namespace seiche
 {
+  namespace
+  {
+    constexpr double negligible = 0.01; // of a window that a table leaves out
+  }                                     // namespace
+
   using namespace dealii;
 
   void
@@ -193,13 +198,22 @@ namespace seiche
     // steps end where they should up to rounding
     const double     slack = 1e-9 * (all.empty() ? 0. : all.back().time);
     std::vector<Row> window;
+    double           end = 0.; // of the window asked for
     for (const Row &row : all)
       if (row.time >= parameters.from - slack &&
-          (parameters.to == 0. || row.time <= parameters.to + slack) &&
-          (!table || table->covers(row.time)))
-        window.push_back(row);
+          (parameters.to == 0. || row.time <= parameters.to + slack))
+        {
+          end = row.time;
+          if (!table || table->covers(row.time))
+            window.push_back(row);
+        }
     if (window.empty())
       warning = "no step of the run lies in the window (and in the table)";
+    else if (end - window.back().time > negligible * (end - parameters.from))
+      warning = fmt::format("only to t = {:.6g} s, where the table ends; the "
+                            "run goes on to {:.6g} s. Set \"To\"",
+                            window.back().time,
+                            end);
     return window;
   }
 

@@ -53,6 +53,12 @@ namespace seiche
         return true;
       }
 
+      double
+      volume() const override
+      {
+        return box.volume();
+      }
+
       Box<dim>
       bounding_box() const override
       {
@@ -96,6 +102,15 @@ namespace seiche
           sum += (x[d] - centre[d]) * (x[d] - centre[d]) /
                  (semi_axes[d] * semi_axes[d]);
         return sum;
+      }
+
+      double
+      volume() const override
+      {
+        double result = dim == 2 ? M_PI : 4. / 3. * M_PI;
+        for (unsigned int d = 0; d < dim; ++d)
+          result *= semi_axes[d];
+        return result;
       }
 
       Box<dim>
@@ -143,6 +158,13 @@ namespace seiche
         if (span)
           distance = std::max({distance, (*span)[0] - x[1], x[1] - (*span)[1]});
         return distance;
+      }
+
+      double
+      volume() const override
+      {
+        const double area = boost::geometry::area(polygon);
+        return dim == 2 ? area : area * box.side_length(1);
       }
 
       Box<dim>

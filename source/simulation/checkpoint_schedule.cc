@@ -6,18 +6,20 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
-#include <unistd.h>
+#include <algorithm>
+#include <cstdio>
 
 namespace seiche
 {
   namespace
   {
-    /// True if the file is there; it is removed then. (At once, not when what
-    /// it asks for is done: another may be made in between.)
+    /// True if the file (or empty folder) is there; it is removed then. (At
+    /// once, not when what it asks for is done: another may be made in
+    /// between.)
     bool
     take(const std::string &filename)
     {
-      return ::unlink(filename.c_str()) == 0;
+      return std::remove(filename.c_str()) == 0;
     }
   } // namespace
 
@@ -44,13 +46,16 @@ namespace seiche
 
   CheckpointSchedule::CheckpointSchedule(const CheckpointParameters &p,
                                          const std::string          &directory,
+                                         const double                end_of_run,
                                          const MPI_Comm mpi_communicator)
     : parameters(p)
     , write_file(directory + "/checkpoint-now")
     , stop_file(directory + "/stop")
     , communicator(mpi_communicator)
     , is_first_rank(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    , last_moment(end_of_run)
     , last_time(wall_clock())
+    , step_begin(last_time)
   {
     if (is_first_rank)
       for (const std::string &filename : {write_file, stop_file})
@@ -62,6 +67,8 @@ namespace seiche
   CheckpointRequest
   CheckpointSchedule::after_step(const unsigned int step)
   {
+    longest_step = std::max(longest_step, wall_clock() - step_begin);
+    step_begin   = wall_clock();
     CheckpointRequest request  = CheckpointRequest::none;
     const bool        is_asked = is_first_rank && take(write_file);
     if (parameters.every_steps > 0 && step % parameters.every_steps == 0)
@@ -94,7 +101,18 @@ namespace seiche
     stop_file_was_seen =
       stop_file_was_seen || (is_first_rank && take(stop_file));
     // a signal may have reached one rank only
-    return stop_signal::received() || stop_file_was_seen;
+    return stop_signal::received() || stop_file_was_seen ||
+           (is_first_rank && time_is_up());
+  }
+
+
+
+  bool
+  CheckpointSchedule::time_is_up() const
+  {
+    // the next step and checkpoint may take twice as long as any before
+    return wall_clock() + 2. * (longest_step + longest_checkpoint) >
+           last_moment;
   }
 
 
@@ -102,6 +120,8 @@ namespace seiche
   void
   CheckpointSchedule::done()
   {
-    last_time = wall_clock();
+    last_time          = wall_clock();
+    longest_checkpoint = std::max(longest_checkpoint, last_time - step_begin);
+    step_begin         = last_time;
   }
 } // namespace seiche

@@ -9,6 +9,7 @@
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/first_rank.h>
 #include <seiche/utilities/stop_signal.h>
+#include <seiche/utilities/timer_tree.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -88,6 +89,7 @@ namespace seiche
              Scene<dim>                     &scene,
              const MPI_Comm                  communicator)
     {
+      const double last_moment = wall_clock() + 3600. * command_line.max_hours;
       const std::string &directory = command_line.output;
       const bool         restarts  = command_line.restart;
       TimerTree          timer;
@@ -118,6 +120,8 @@ namespace seiche
       if (!restarts)
         take_folder(directory, lock, communicator);
       report.header(simulation->description());
+      for (const std::string &text : simulation->doubts())
+        report.warn(text, "");
       for (const std::string &text : scene.input.without_effect())
         report.warn(text, "");
       if (restarts)
@@ -133,6 +137,7 @@ namespace seiche
           stop_signal::install();
           CheckpointSchedule schedule(scene.checkpoint,
                                       directory,
+                                      last_moment,
                                       communicator);
           RunOutcome         outcome;
           while ((outcome = simulation->run(schedule, folder)) ==
@@ -144,6 +149,7 @@ namespace seiche
             }
           if (outcome == RunOutcome::finished)
             return ExitCode::finished;
+          stop_signal::ignore();
           report.stop(fmt::format("stopped; to go on: seiche {} --output {} "
                                   "--restart (and the same --set)",
                                   command_line.filename,

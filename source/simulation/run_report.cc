@@ -295,6 +295,9 @@ namespace seiche
     end_progress_line();
     if (options.test_mode)
       test_summary(complete);
+    if (complete.contains("warnings")) // of scores
+      for (const auto &text : complete["warnings"])
+        print("warning: " + text.get<std::string>());
     for (const auto &[text, count] : warnings)
       {
         complete["warnings"].push_back(

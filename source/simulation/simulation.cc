@@ -117,7 +117,15 @@ namespace seiche
           }
         report.warn("a step was repeated with half its size",
                     fmt::format("t = {:.6g} s: {}", state.time, failure));
-        state.dt = time_stepper.repeat(failure);
+        try
+          {
+            state.dt = time_stepper.repeat(failure);
+          }
+        catch (const NumericalError &) // all ranks
+          {
+            write_failure();
+            throw;
+          }
         if (schedule.stop_is_wanted())
           return false;
       }

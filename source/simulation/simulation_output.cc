@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a run says and writes.
+#include <seiche/postprocess/grid_output.h>
+#include <seiche/postprocess/nodal_pressure.h>
+#include <seiche/postprocess/point_output.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/simulation/summary_file.h>
-#include <seiche/utilities/version.h>
+#include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/first_rank.h>
 
 #include <fmt/format.h>
 
@@ -14,6 +18,24 @@ namespace seiche
   {
     /// Of the energy at the start; more is no error of a scheme that is stable.
     constexpr double suspicious_gain = 0.1;
+
+    /// Of a body's mass: less is the rounding of its shape.
+    constexpr double missing_share = 1e-3;
+
+    std::string
+    in_words(const SeededBody &body)
+    {
+      const double missing = body.whole - body.mass;
+      return fmt::format("body {}: {:.6g} kg, {} points{}",
+                         body.name,
+                         body.mass,
+                         body.n_points,
+                         missing > missing_share * body.whole ?
+                           fmt::format("; {:.6g} kg of its shape lie in "
+                                       "obstacles or earlier bodies",
+                                       missing) :
+                           "");
+    }
   } // namespace
 
   template <int dim>
@@ -21,12 +43,66 @@ namespace seiche
   Simulation<dim>::description() const
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    return fmt::format("{}D, {} cells, {} points, {} rank{}\n",
-                       dim,
-                       grid.triangulation.n_global_active_cells(),
-                       points.n_global(),
-                       n_ranks,
-                       n_ranks == 1 ? "" : "s");
+    std::string text = fmt::format("{}D, {} cells, {} points, {} rank{}\n",
+                                   dim,
+                                   grid.triangulation.n_global_active_cells(),
+                                   points.n_global(),
+                                   n_ranks,
+                                   n_ranks == 1 ? "" : "s");
+    if (start != nullptr)
+      return text;
+    for (const SeededBody &body : seeding.bodies)
+      text += in_words(body) + "\n";
+    return text + scene_scales().text() + "\n";
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  Simulation<dim>::doubts() const
+  {
+    return start == nullptr ? scene_scales().doubts() :
+                              std::vector<std::string>();
+  }
+
+  template <int dim>
+  SceneScales
+  Simulation<dim>::scene_scales() const
+  {
+    SceneScales scales(points, body_force, seeding.half_spacing);
+    scales.density   = scene.fluid.density;
+    scales.viscosity = scene.fluid.dynamic_viscosity;
+    scales.step      = scene.time.step;
+    scales.is_fixed  = !scene.time.is_controlled();
+    return scales;
+  }
+
+  template <int dim>
+  StepView<dim>
+  Simulation<dim>::step_view(const double dt) const
+  {
+    const double time  = time_stepper.time();
+    const double theta = dt == 0. ? 0. : step_solver.coefficients().theta;
+    // points that carry the pressure have that of the end of the step
+    const bool at_end = !state.has_pressure();
+    return {time_stepper.steps(),
+            time,
+            dt,
+            at_end ? time : time - (1. - time_scheme->pressure_time()) * dt,
+            points,
+            occupancy,
+            fill,
+            state,
+            scene.fluid.density,
+            body_force.is_constant() ? body_force.constant_value() :
+                                       Tensor<1, dim>(),
+            scene.fluid.bulk_modulus,
+            theta,
+            at_end ? 1. : theta,
+            seeding.half_spacing,
+            occupancy.smallest_extent(),
+            wall_motion.box(time),
+            effort.newton,
+            effort.krylov};
   }
 
   template <int dim>
@@ -34,39 +110,17 @@ namespace seiche
   Simulation<dim>::postprocess()
   {
     const TimerTree::Scope scope(timer, "postprocess");
-    const unsigned int     step = time_stepper.steps();
-    const double           time = time_stepper.time();
-    const double           dt   = step == 0 ? 0. : state.dt;
-    const double theta = step == 0 ? 0. : step_solver.coefficients().theta;
-    // points that carry the pressure have that of the end of the step
-    const bool          at_end = !state.has_pressure();
-    StepView<dim>       view{step,
-                       time,
-                       dt,
-                       at_end ? time :
-                                      time - (1. - time_scheme->pressure_time()) * dt,
-                       points,
-                       occupancy,
-                       fill,
-                       state,
-                       scene.fluid.density,
-                       body_force.is_constant() ? body_force.constant_value() :
-                                                        Tensor<1, dim>(),
-                       scene.fluid.bulk_modulus,
-                       theta,
-                       at_end ? 1. : theta,
-                       seeding.half_spacing,
-                       occupancy.smallest_extent(),
-                       wall_motion.box(time),
-                       effort.newton,
-                       effort.krylov};
-    std::vector<double> values = {static_cast<double>(step),
-                                  time,
-                                  dt,
-                                  view.pressure_time,
-                                  static_cast<double>(effort.newton),
-                                  static_cast<double>(effort.krylov),
-                                  static_cast<double>(
+    const unsigned int     step   = time_stepper.steps();
+    const double           time   = time_stepper.time();
+    const double           dt     = step == 0 ? 0. : state.dt;
+    const StepView<dim>    now    = step_view(dt);
+    std::vector<double>    values = {static_cast<double>(step),
+                                     time,
+                                     dt,
+                                     now.pressure_time,
+                                     static_cast<double>(effort.newton),
+                                     static_cast<double>(effort.krylov),
+                                     static_cast<double>(
                                     occupancy.n_global_occupied_cells())};
     if (scene.time.controls_error())
       values.push_back(time_stepper.error());
@@ -76,7 +130,7 @@ namespace seiche
     AssertDimension(names.size(), values.size());
     for (unsigned int i = 0; i < names.size(); ++i)
       statistics.set(names[i], values[i]);
-    scene.postprocessors.execute(view, statistics);
+    scene.postprocessors.execute(now, statistics);
     statistics.end_row();
     for (const auto &alarm : scene.postprocessors.raised_alarms())
       report.warn(alarm.text + "; what may help: " + alarm.advice,
@@ -94,6 +148,29 @@ namespace seiche
       report.warn("the energy has risen by more than 10 % of that at the "
                   "start: the run is unstable or far too coarse",
                   fmt::format("t = {:.6g} s, {:.3g}", time, gain));
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::write_failure()
+  {
+    const FrameSettings settings{directory + "/failure",
+                                 /*interval=*/1.,
+                                 /*end_time=*/0.};
+    on_first_rank(communicator,
+                  [&]() { checked_file::make_directory(settings.directory); });
+    state.velocity_np1 = state.velocity_n; // nothing has moved
+    state.velocity_np1.update_ghost_values();
+    state.solution = 0.;
+    if (state.has_pressure())
+      state.pressure() = state.pressure_guess;
+    state.solution.update_ghost_values();
+    const StepView<dim> before = step_view(/*dt=*/0.);
+    GridOutput<dim>(settings,
+                    std::make_shared<NodalPressure<dim>>(),
+                    communicator)
+      .execute(before, statistics);
+    PointOutput<dim>(settings, communicator).execute(before, statistics);
   }
 
   template <int dim>
@@ -127,6 +204,18 @@ namespace seiche
   Simulation<2>::description() const;
   template std::string
   Simulation<3>::description() const;
+  template std::vector<std::string>
+  Simulation<2>::doubts() const;
+  template std::vector<std::string>
+  Simulation<3>::doubts() const;
+  template StepView<2>
+  Simulation<2>::step_view(const double) const;
+  template StepView<3>
+  Simulation<3>::step_view(const double) const;
+  template void
+  Simulation<2>::write_failure();
+  template void
+  Simulation<3>::write_failure();
   template void
   Simulation<2>::postprocess();
   template void

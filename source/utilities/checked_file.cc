@@ -63,9 +63,11 @@ namespace seiche
     int
     open_file(const std::string &filename, const int flags)
     {
+      // opening a pipe would wait for who reads it
       int descriptor;
       do
-        descriptor = ::open(filename.c_str(), flags | O_CLOEXEC, 0666);
+        descriptor =
+          ::open(filename.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0666);
       while (descriptor < 0 && errno == EINTR);
       return descriptor;
     }

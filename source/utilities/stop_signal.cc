@@ -7,7 +7,18 @@ namespace seiche
 {
   namespace
   {
-    constexpr int stopping_signals[] = {SIGTERM, SIGINT, SIGUSR1};
+    struct StoppingSignal
+    {
+      int  number;
+      bool repeats; ///< by itself: more of them ask for no more haste
+    };
+
+    constexpr StoppingSignal stopping_signals[] = {{SIGTERM, false},
+                                                   {SIGINT, false},
+                                                   {SIGUSR1, false},
+                                                   {SIGHUP, false},
+                                                   {SIGXCPU, true},
+                                                   {SIGPIPE, true}};
 
     volatile std::sig_atomic_t was_received = 0;
 
@@ -16,8 +27,8 @@ namespace seiche
     {
       was_received = 1;
       // whoever asks twice does not want to wait
-      for (const int signal : stopping_signals)
-        std::signal(signal, SIG_DFL);
+      for (const StoppingSignal &signal : stopping_signals)
+        std::signal(signal.number, signal.repeats ? SIG_IGN : SIG_DFL);
     }
   } // namespace
 
@@ -26,12 +37,14 @@ namespace seiche
   void
   stop_signal::install()
   {
-    struct sigaction action = {};
-    action.sa_handler       = note_signal;
-    action.sa_flags         = SA_RESTART; // reading and writing go on
+    struct sigaction action = {}, before = {};
+    action.sa_handler = note_signal;
+    action.sa_flags   = SA_RESTART; // reading and writing go on
     sigemptyset(&action.sa_mask);
-    for (const int signal : stopping_signals)
-      sigaction(signal, &action, nullptr);
+    for (const StoppingSignal &signal : stopping_signals)
+      if (sigaction(signal.number, nullptr, &before) == 0 &&
+          before.sa_handler != SIG_IGN) // as nohup has it
+        sigaction(signal.number, &action, nullptr);
   }
 
 
@@ -40,5 +53,14 @@ namespace seiche
   stop_signal::received()
   {
     return was_received != 0;
+  }
+
+
+
+  void
+  stop_signal::ignore()
+  {
+    for (const StoppingSignal &signal : stopping_signals)
+      std::signal(signal.number, SIG_IGN);
   }
 } // namespace seiche

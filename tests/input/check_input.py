@@ -52,7 +52,7 @@ class Case:
     def __init__(self, name, old=None, new="", expect=(), text=None,
                  arguments=None, code=INPUT, line=True, others=None,
                  validate=True, prepare=None, full_disk=False,
-                 silent=False):
+                 silent=False, unexpected=()):
         self.name, self.code, self.expect = name, code, list(expect)
         self.text = SCENE if text is None else text
         if old is not None:
@@ -67,7 +67,7 @@ class Case:
         self.arguments = ["scene.prm"] if arguments is None else arguments
         self.validate, self.others = validate, others or {}
         self.prepare, self.full_disk = prepare, full_disk
-        self.silent = silent
+        self.silent, self.unexpected = silent, unexpected
 
 
 def added(text):
@@ -119,6 +119,14 @@ SYNTAX = [
          expect=["none.prm", "no such file"]),
     Case("not a regular file", arguments=["/dev/zero"],
          expect=["regular file"]),
+    Case("include of a device", **added("include /dev/zero\n"), line=LAST + 1,
+         expect=["regular file"]),
+    Case("deep nesting", text=SCENE + "subsection a\n" * 3000, line=None,
+         expect=[f"scene.prm:{LAST + 9}: ", "more than 8 subsections"]),
+    Case("control characters", **added("subsection \33[31m\7\nend\n"),
+         line=LAST + 1, expect=['"?[31m?"'], unexpected=["\33", "\7"]),
+    Case("a megabyte on a line", **added("subsection " + "a" * 1000000 + "\nend\n"),
+         line=LAST + 1, expect=["aaa ..."], unexpected=["a" * 5000]),
 ]
 
 NAMES = [
@@ -399,6 +407,15 @@ GEOMETRY = [
          **added("subsection Score s\n  set Column = speed_max [m/s]\n"
                  "  set Reference table = none.csv\nend\n"),
          line=LAST + 3, expect=['"Reference table" in "Score s"', "none.csv"]),
+    Case("reference table is a device",
+         **added("subsection Score s\n  set Column = speed_max [m/s]\n"
+                 "  set Reference table = /dev/zero\nend\n"),
+         line=LAST + 3, expect=['"Reference table" in "Score s"', "regular file"]),
+    Case("reference table is a pipe",
+         **added("subsection Score s\n  set Column = speed_max [m/s]\n"
+                 "  set Reference table = pipe\nend\n"),
+         line=LAST + 3, expect=['"Reference table" in "Score s"', "regular file"],
+         prepare=lambda folder: os.mkfifo(folder / "pipe")),
 ]
 
 
@@ -614,7 +631,8 @@ def run_case(program, case, folder):
     for text in case.expect:
         if text not in result.stderr:
             problems.append(f"the message lacks {text!r}")
-    for text in ("internal error", "Stacktrace", "terminate called"):
+    for text in ("internal error", "Stacktrace", "terminate called",
+                 *case.unexpected):
         if text in result.stderr:
             problems.append(f"the message has {text!r}")
     if case.silent and result.stderr:

@@ -10,6 +10,7 @@ import shutil
 import signal
 import sys
 import tempfile
+import time
 
 from runs import (Program, checkpoints, frames, require_same_files,
                   wait_for_rows)
@@ -255,6 +256,8 @@ def stopped(make, folder, ranks):
     if ranks == 1:
         stop(lambda process: process.send_signal(signal.SIGTERM), 10)
         stop(lambda process: process.send_signal(signal.SIGINT), 30, "--restart")
+        stop(lambda process: process.send_signal(signal.SIGHUP), 40, "--restart")
+        stop(lambda process: process.send_signal(signal.SIGXCPU), 50, "--restart")
     else:
         stop(lambda process: process.send_signal(signal.SIGUSR1), 10)
     assert not os.path.exists(f"{parts}/summary.json")
@@ -267,6 +270,31 @@ def stopped(make, folder, ranks):
     assert process.wait(timeout=120) == 0, process.communicate()[0]
     assert not os.path.exists(f"{parts}/checkpoint-now")
     require_close(f"{folder}/whole", parts)
+
+
+def stopped_unread(make, folder, _):
+    """Nobody reads the screen any more, as after `seiche ... | head -1`; a second
+    signal after the last line does no harm."""
+    parts = f"{folder}/parts"
+    process = make(SCENE_2D, 1, ["Output/Interval = 0"]).start(parts)
+    wait_for_rows(process, parts, 10)
+    process.stdout.close()
+    assert process.wait(timeout=60) == 5, process.returncode
+    assert checkpoints(parts)
+
+
+def stopped_in_time(make, folder, _):
+    """Before its hours are over, and goes on to the end of the unbroken run."""
+    options = TIGHT + ["Time/Step = 0.0005", "Time/Step control = fixed",
+                       "Output/Interval = 0"]
+    program, parts = make(SCENE_2D, 1, options), f"{folder}/parts"
+    begin = time.monotonic()
+    process = program.start(parts, "--max-hours", "0.0002")
+    text = process.communicate(timeout=60)[0]
+    assert process.returncode == 5, f"{process.returncode}: {text}"
+    assert time.monotonic() - begin < 0.72 + 2., time.monotonic() - begin
+    assert "stopped; to go on" in text, text
+    program.run(parts, "--restart")
 
 
 def stopped_at_start(make, folder, _):
@@ -302,6 +330,8 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "other_ranks": (other_ranks, 1), "damaged": (damaged, 1),
          "refused": (refused, 1), "stopped": (stopped, 1),
          "stopped_at_start": (stopped_at_start, 1),
+         "stopped_unread": (stopped_unread, 1),
+         "stopped_in_time": (stopped_in_time, 1),
          "stopped_2_ranks": (stopped, 2)}
 
 

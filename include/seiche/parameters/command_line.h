@@ -2,6 +2,7 @@
 #ifndef seiche_parameters_command_line_h
 #define seiche_parameters_command_line_h
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ namespace seiche
     bool        validate         = false;
     bool        restart          = false; ///< from the newest checkpoint
     bool        print_parameters = false;
+    /// Wall time [h].
+    double max_hours = std::numeric_limits<double>::infinity();
     /// Text of --help or --version: print it and end.
     std::string text;
   };

@@ -22,10 +22,22 @@ namespace seiche
     check(const InputFile &input) const;
   };
 
+  /// What became of a fluid body, all ranks.
+  struct SeededBody
+  {
+    std::string   name;
+    std::uint64_t n_points = 0;
+    double        mass     = 0.; ///< [kg]
+    /// Mass of the whole shape [kg], of which obstacles and earlier bodies may
+    /// have taken a part; not a number if it is not known.
+    double whole = 0.;
+  };
+
   /// What the seeding of all bodies made, all ranks.
   struct SeedingResult
   {
-    std::uint64_t n_points = 0;
+    std::vector<SeededBody> bodies;
+    std::uint64_t           n_points = 0;
     /// Half the smallest distance of lattice neighbours in any body [m].
     double half_spacing = 0.;
   };

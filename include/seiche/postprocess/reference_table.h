@@ -47,6 +47,12 @@ namespace seiche
     bool
     covers(const double time) const;
 
+    double
+    last_time() const
+    {
+      return times.back();
+    }
+
     /// Value at a time that the table covers.
     double
     value(const double time) const;

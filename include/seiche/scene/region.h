@@ -5,6 +5,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -35,6 +36,13 @@ namespace seiche
     is_box() const
     {
       return false;
+    }
+
+    /// [m^dim], or not a number if it is not known.
+    virtual double
+    volume() const
+    {
+      return std::numeric_limits<double>::quiet_NaN();
     }
 
     /// A box that contains the region.

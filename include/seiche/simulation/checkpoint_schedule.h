@@ -33,14 +33,17 @@ namespace seiche
   };
 
   /**
-   * @brief When checkpoints are written: every n steps, every t seconds, and
-   * on demand by a signal or by a file in the output folder.
+   * @brief When checkpoints are written: every n steps, every t seconds, on
+   * demand by a signal or by a file in the output folder, and before the time
+   * of the run is over.
    */
   class CheckpointSchedule
   {
   public:
+    /// @p last_moment: when the run has to have ended, in wall_clock() [s].
     CheckpointSchedule(const CheckpointParameters &parameters,
                        const std::string          &directory,
+                       const double                last_moment,
                        const MPI_Comm              communicator);
 
     /// After step number @p step; the same answer on all ranks. Collective.
@@ -61,11 +64,18 @@ namespace seiche
     bool
     asked_to_stop();
 
+    /// Whether another step and what follows it might end too late. Local.
+    bool
+    time_is_up() const;
+
     const CheckpointParameters parameters;
     const std::string          write_file, stop_file;
     const MPI_Comm             communicator;
     const bool                 is_first_rank;
-    double                     last_time; ///< [s] wall clock
+    const double               last_moment; ///< [s] wall clock, as those below
+    double                     last_time;   ///< of a checkpoint
+    double                     step_begin;
+    double                     longest_step = 0., longest_checkpoint = 0.;
     bool                       stop_file_was_seen = false;
   };
 } // namespace seiche

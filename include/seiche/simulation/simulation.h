@@ -9,6 +9,7 @@
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/run_report.h>
+#include <seiche/simulation/scene_scales.h>
 #include <seiche/simulation/step_solver.h>
 #include <seiche/utilities/timer_tree.h>
 
@@ -55,6 +56,10 @@ namespace seiche
     std::string
     description() const;
 
+    /// What of the scene's start is hardly meant, a text each. Collective.
+    std::vector<std::string>
+    doubts() const;
+
     /// From the start to the end time, then the summary; or to a checkpoint
     /// after which this object is not to go on. Collective.
     RunOutcome
@@ -95,10 +100,23 @@ namespace seiche
     void
     prepare_start();
 
+    /// Collective.
+    SceneScales
+    scene_scales() const;
+
+    /// Points and grid after a step of @p dt [s], 0: before the first.
+    StepView<dim>
+    step_view(const double dt) const;
+
     void
     postprocess();
     void
     finish();
+
+    /// The points and cells of a step that cannot be done, as they are at its
+    /// start, into the folder "failure" of the output. Collective.
+    void
+    write_failure();
 
     /// The grid to where the walls are now. Collective.
     void
