@@ -310,6 +310,16 @@ namespace seiche
 
 
 
+  bool
+  InputFile::is_instance(const std::string &subsection) const
+  {
+    return std::any_of(kinds.begin(), kinds.end(), [&](const auto &kind) {
+      return subsection.compare(0, kind.size() + 1, kind + " ") == 0;
+    });
+  }
+
+
+
   std::string
   InputFile::unknown_subsection(const std::string           &path,
                                 const std::set<std::string> &known) const
@@ -322,35 +332,32 @@ namespace seiche
 
     const std::string        parent = subsection_name(path);
     const std::string        name   = entry_name(path);
-    std::vector<std::string> candidates, shown;
+    std::vector<std::string> shown;
     for (const std::string &subsection : known)
-      if (subsection_name(subsection) == parent)
-        {
-          candidates.push_back(entry_name(subsection));
-          if (std::none_of(kinds.begin(), kinds.end(), [&](const auto &kind) {
-                return subsection.compare(0, kind.size() + 1, kind + " ") == 0;
-              }))
-            shown.push_back(entry_name(subsection));
-        }
+      if (subsection_name(subsection) == parent && !is_instance(subsection))
+        shown.push_back(entry_name(subsection));
+    std::string hint = nearest_hint(name, shown);
     if (parent.empty())
       for (const std::string &kind : kinds)
         {
           shown.push_back(kind + " NAME");
-          // the same name after the right kind, which has as many words
+          // as many first words of the name as the kind has
           std::size_t end = 0;
           for (long n = std::count(kind.begin(), kind.end(), ' ') + 1;
                n > 0 && end != std::string::npos;
                --n)
             end = name.find(' ', end + 1);
-          if (end != std::string::npos)
-            candidates.push_back(kind + name.substr(end));
+          if (end != std::string::npos &&
+              edit_distance(name.substr(0, end), kind) <=
+                std::max<std::size_t>(2, kind.size() / 4))
+            hint = "; did you mean \"" + kind + name.substr(end) + "\"?";
         }
     return place + "no subsection \"" + name + "\"" +
            (parent.empty() ? "" : " in \"" + parent + "\"") +
-           nearest_hint(name, candidates) +
-           (nearest_name(name, candidates).empty() ? "." : "") +
-           " Subsections there: " +
-           (shown.empty() ? "none" : quoted_list(shown)) + ".";
+           (hint.empty() ?
+              ". Subsections there: " +
+                (shown.empty() ? "none" : quoted_list(shown)) + "." :
+              hint);
   }
 
 
@@ -366,7 +373,8 @@ namespace seiche
     for (const Declaration &declaration : known)
       if (subsection_name(declaration.path) == parent)
         siblings.push_back(entry_name(declaration.path));
-      else if (entry_name(declaration.path) == name && elsewhere.empty())
+      else if (entry_name(declaration.path) == name && elsewhere.empty() &&
+               !is_instance(subsection_name(declaration.path)))
         elsewhere = subsection_name(declaration.path);
 
     std::string message =

@@ -61,6 +61,15 @@ namespace seiche
     }
 
     std::string
+    problem_of_name(const std::string &name)
+    {
+      return name.find_first_of("/,;\"") == std::string::npos ?
+               "" :
+               ": the name of subsection \"" + name +
+                 "\" has one of / , ; \" in it; leave them out.";
+    }
+
+    std::string
     joined(const std::vector<std::string> &names)
     {
       std::string path;
@@ -239,9 +248,9 @@ namespace seiche
     {
       if (name.empty())
         problems.push_back(origin + ": \"subsection\" needs a name.");
-      else if (name.find_first_of("/,;\"") != std::string::npos)
-        problems.push_back(origin + ": the name of subsection \"" + name +
-                           "\" has one of / , ; \" in it; leave them out.");
+      else if (const std::string problem = problem_of_name(name);
+               !problem.empty())
+        problems.push_back(origin + problem);
       const std::string path = path_of(name);
       open.push_back({name, origin});
       if (open.size() == deepest + 1)
@@ -355,6 +364,10 @@ namespace seiche
                            "\" is set twice, first by " + first->second +
                            "; remove one.");
         names.pop_back();
+        for (const std::string &name : names)
+          if (const std::string problem = problem_of_name(name);
+              !problem.empty())
+            throw InputError(origin + problem);
         if (!names.empty())
           text.add_subsection(joined(names), origin);
         if (text.entries.count(path) == 0)

@@ -109,8 +109,11 @@ namespace seiche
                       nlohmann::ordered_json &summary)
   {
     for (unsigned int i = 0; i < n_quantities; ++i)
-      if (std::abs(largest[i]) > quantities[i].limit)
-        summary["alarms"][quantities[i].name] = largest[i];
+      {
+        summary["largest"][quantities[i].name] = largest[i];
+        if (std::abs(largest[i]) > quantities[i].limit)
+          summary["alarms"][quantities[i].name] = largest[i];
+      }
   }
 
   template <int dim>

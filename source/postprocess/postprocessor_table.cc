@@ -14,6 +14,7 @@
 #include <seiche/postprocess/scores.h>
 #include <seiche/postprocess/surface_output.h>
 #include <seiche/postprocess/tracked_points.h>
+#include <seiche/postprocess/verdicts.h>
 #include <seiche/postprocess/wall_forces.h>
 #include <seiche/postprocess/water_level.h>
 #include <seiche/scene/entry_values.h>
@@ -38,6 +39,7 @@ namespace seiche
       bool   surface    = true;
       bool   series     = false;
       bool   mean_level = false;
+      bool   verdict    = false; ///< decides over the exit code
 
       void
       add_parameters(ParameterHandler &prm);
@@ -70,6 +72,10 @@ namespace seiche
                         mean_level,
                         "Add the mean height of the free surface to the "
                         "statistics.");
+      prm.add_parameter("Exit code by verdict",
+                        verdict,
+                        "A finished run that fails one of its \"Verdict NAME\" "
+                        "ends with exit code 6.");
       prm.leave_subsection();
     }
 
@@ -138,6 +144,7 @@ namespace seiche
       , forces(find_instances<ForceParameters<dim>>(input_file))
       , errors(find_instances<ErrorParameters<dim>>(input_file))
       , score_parameters(find_instances<ScoreParameters>(input_file))
+      , verdicts(find_instances<VerdictParameters>(input_file))
     {}
 
     /// Output objects; nothing is made without an interval.
@@ -155,6 +162,7 @@ namespace seiche
     std::vector<ForceParameters<dim>>        forces;
     std::vector<ErrorParameters<dim>>        errors;
     std::vector<ScoreParameters>             score_parameters;
+    std::vector<VerdictParameters>           verdicts;
 
     std::shared_ptr<NodalPressure<dim>>              pressure;
     std::shared_ptr<FluidExtentOfStep<dim>>          extent;
@@ -162,6 +170,7 @@ namespace seiche
     const MassAndEnergy<dim>                        *ledger = nullptr;
     const Alarms<dim>                               *alarms = nullptr;
     std::vector<Score>                               scores;
+    bool                                             rejects = false;
   };
 
   template <int dim>
@@ -213,6 +222,7 @@ namespace seiche
     declare(implementation->forces, prm);
     declare(implementation->errors, prm);
     declare(implementation->score_parameters, prm);
+    declare(implementation->verdicts, prm);
   }
 
   template <int dim>
@@ -221,7 +231,7 @@ namespace seiche
     const BackgroundGrid<dim>      &grid,
     const std::vector<std::string> &other_columns) const
   {
-    const Implementation    &all     = *implementation;
+    Implementation          &all     = *implementation;
     std::vector<std::string> columns = other_columns;
     for (const std::string &column : MassAndEnergy<dim>::columns())
       columns.push_back(column);
@@ -236,6 +246,14 @@ namespace seiche
     check_instances(all.errors, all.input, grid, columns);
     for (const ScoreParameters &score : all.score_parameters)
       score.check(all.input, columns);
+    std::vector<std::string> scores;
+    for (const ScoreParameters &score : all.score_parameters)
+      scores.push_back(score.name);
+    for (VerdictParameters &verdict : all.verdicts)
+      verdict.check(all.input, scores);
+    all.input.read_only_if(!all.verdicts.empty(),
+                           "Output/Exit code by verdict",
+                           "a Verdict NAME");
   }
 
   template <int dim>
@@ -321,6 +339,18 @@ namespace seiche
                                         "\": " + warning);
       }
     summary["errors"] = errors;
+    if (implementation->verdicts.empty())
+      return;
+    summary["verdict"]      = judge(implementation->verdicts, summary);
+    implementation->rejects = implementation->output.verdict &&
+                              !summary["verdict"]["passed"].get<bool>();
+  }
+
+  template <int dim>
+  bool
+  PostprocessorList<dim>::rejects_run() const
+  {
+    return implementation->rejects;
   }
 
   template <int dim>

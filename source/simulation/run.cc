@@ -148,7 +148,8 @@ namespace seiche
               set_up();
             }
           if (outcome == RunOutcome::finished)
-            return ExitCode::finished;
+            return scene.postprocessors.rejects_run() ? ExitCode::rejected :
+                                                        ExitCode::finished;
           stop_signal::ignore();
           report.stop(fmt::format("stopped; to go on: seiche {} --output {} "
                                   "--restart (and the same --set)",

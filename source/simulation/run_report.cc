@@ -107,6 +107,7 @@ namespace seiche
     , communicator(mpi_communicator)
     , speaks(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     , on_terminal(isatty(STDOUT_FILENO) == 1)
+    , progress_file(run_options.test_mode ? "" : run_options.directory)
     , rate_wall(wall_clock())
   {}
 
@@ -176,6 +177,8 @@ namespace seiche
                   // at rest and without gravity there is nothing to relate to
                   std::isfinite(energy) ? fmt::format("{:.4f}", energy) : "-");
     write_log(line + "\n");
+    const double left = (options.end_time - time) / std::max(rate, 1e-300);
+    progress_file.update({time, options.end_time, dt, left}, now);
 
     // one line per tenth in a test, per twentieth in a file
     const double parts = (options.test_mode ? 10. : 20.);
@@ -197,8 +200,7 @@ namespace seiche
       return;
     last_shown = now;
 
-    const double left = (options.end_time - time) / std::max(rate, 1e-300);
-    std::string  text = line;
+    std::string text = line;
     if (left > 0. && left < 1e8)
       text +=
         fmt::format(" | {} left, ends {}", duration(left), clock_time(left));
@@ -249,6 +251,7 @@ namespace seiche
           return;
         end_progress_line();
         write_log(text + "\n");
+        progress_file.end("failed");
       }
     catch (...)
       {
@@ -276,6 +279,7 @@ namespace seiche
     if (!speaks)
       return;
     print(text);
+    progress_file.end("stopped");
     if (test_output.is_open())
       test_output.close();
     if (log.is_open())
@@ -306,6 +310,14 @@ namespace seiche
           print(fmt::format("warning: {} times: {}", count, text));
       }
 
+    if (complete.contains("verdict"))
+      {
+        std::string failed;
+        for (const auto &text : complete["verdict"]["failed"])
+          failed += (failed.empty() ? "" : "; ") + text.get<std::string>();
+        print(failed.empty() ? "verdict: passed" :
+                               "verdict: FAILED: " + failed);
+      }
     const std::string times = timer.report();
     header("\n" + times);
     if (!options.directory.empty())
@@ -316,6 +328,7 @@ namespace seiche
                             [&](std::ostream &stream) {
                               stream << complete.dump(2) << '\n';
                             });
+        progress_file.end("finished");
         header(fmt::format("finished: results are in {0}/; look at "
                            "{0}/summary.json and {0}/statistics.csv{1}",
                            options.directory,

@@ -156,6 +156,22 @@ NAMES = [
     Case("unknown subsection by --set",
          arguments=["scene.prm", "--set", "Fluids/Density = 1"],
          expect=['--set "Fluids/Density = 1"', '"Fluids"', '"Fluid"']),
+    Case("name with a comma by --set",
+         arguments=["scene.prm", "--set", "Gauge a,b/Position = 0.1, 0"],
+         expect=['--set "Gauge a,b/Position', '"Gauge a,b" has one of']),
+    Case("kind that there is not",
+         **added("subsection Floating body box\n  set Mass = 3\nend\n"),
+         line=LAST + 1, expect=['"Floating body box"', "Subsections there"],
+         unexpected=["did you mean"]),
+    Case("another kind that there is not",
+         **added("subsection Wave gauge w\n  set Position = 0.1, 0\nend\n"),
+         line=LAST + 1, expect=['"Wave gauge w"', "Subsections there"],
+         unexpected=["did you mean"]),
+    Case("shape of an obstacle",
+         **added("subsection Obstacle o\n  set Lower corner = 0.6, 0\n"
+                 "  set Upper corner = 0.7, 0.1\n  set Shape = cylinder\nend\n"),
+         line=LAST + 4, expect=['"Shape" in "Obstacle o"', '"Condition"'],
+         unexpected=["belongs"]),
 ]
 
 VALUES = [
@@ -407,6 +423,14 @@ GEOMETRY = [
          **added("subsection Score s\n  set Column = speed_max [m/s]\n"
                  "  set Reference table = none.csv\nend\n"),
          line=LAST + 3, expect=['"Reference table" in "Score s"', "none.csv"]),
+    Case("verdict on a score that there is not",
+         **added("subsection Score speed\n  set Column = speed_max [m/s]\nend\n"
+                 "subsection Verdict v\n  set Value = errors/sped\n"
+                 "  set At most = 1\nend\n"),
+         line=LAST + 5, expect=['"Value" in "Verdict v"', 'did you mean "speed"']),
+    Case("verdict without a bound",
+         **added("subsection Verdict v\n  set Value = steps\nend\n"),
+         line=LAST + 1, expect=['"At most" in "Verdict v"', "bound"]),
     Case("reference table is a device",
          **added("subsection Score s\n  set Column = speed_max [m/s]\n"
                  "  set Reference table = /dev/zero\nend\n"),

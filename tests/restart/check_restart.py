@@ -4,6 +4,7 @@
 
 check_restart.py SEICHE MPIRUN CASE
 """
+import json
 import os
 import pathlib
 import shutil
@@ -58,8 +59,11 @@ def exact(program, folder, files, interruptions):
         assert one == other, f"{key}: {one} and {other}"
 
 
+def progress(folder):
+    return json.loads(pathlib.Path(folder, "progress.json").read_text())
+
+
 def summary(folder):
-    import json
     with open(f"{folder}/summary.json", encoding="utf-8") as file:
         return json.load(file)
 
@@ -249,6 +253,7 @@ def stopped(make, folder, ranks):
         text = process.communicate(timeout=60)[0]
         assert process.returncode == 5, f"{process.returncode}: {text}"
         assert "stopped; to go on" in text, text
+        assert progress(parts)["state"] == "stopped", progress(parts)
 
     # only finished runs have a summary: an old one goes
     os.makedirs(parts, exist_ok=True)
@@ -270,6 +275,8 @@ def stopped(make, folder, ranks):
     assert process.wait(timeout=120) == 0, process.communicate()[0]
     assert not os.path.exists(f"{parts}/checkpoint-now")
     require_close(f"{folder}/whole", parts)
+    assert progress(parts) == {**progress(parts), "state": "finished", "time": 0.4,
+                               "end_time": 0.4, "seconds_left": 0}, progress(parts)
 
 
 def stopped_unread(make, folder, _):

@@ -154,6 +154,12 @@ def mistakes(seiche, folder):
     assert "no variant" in run(seiche, folder, "--only", "x*x", "--dry-run", code=2)
     assert not os.path.exists(f"{folder}/out")
 
+    # of an entry: the program finds it, and the study says so at its end
+    file = pathlib.Path(folder, "entry.toml")
+    file.write_text(good.replace('"Time/Minimum step" ', '"Time/Minimum stpe" '))
+    text = run(seiche, f"{folder}/entry", "--only", "failing", "--no-plots", code=2, file=file)
+    assert 'did you mean "Minimum step"' in text.splitlines()[-1], text
+
 
 def expansion(_, folder):
     """Products, tied entries, samples, names."""

@@ -119,6 +119,9 @@ namespace seiche
     void
     check_names(const std::vector<Declaration> &known,
                 std::vector<std::string>       &problems) const;
+    /// True for "<kind> NAME".
+    bool
+    is_instance(const std::string &subsection) const;
     std::string
     unknown_subsection(const std::string           &path,
                        const std::set<std::string> &known) const;

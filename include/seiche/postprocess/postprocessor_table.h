@@ -24,8 +24,8 @@ namespace seiche
    * Always there: the ledger (mass_and_energy) and the alarms. By instance
    * subsections of the parameter file: "Front NAME", "Gauge NAME", "Run-up
    * NAME", "Probe NAME", "Tracked point NAME", "Force NAME", "Error NAME",
-   * "Score NAME". By entries of "Output": mean level, grid, points, surface,
-   * HDF5 series.
+   * "Score NAME", "Verdict NAME". By entries of "Output": mean level, grid,
+   * points, surface, HDF5 series.
    */
   template <int dim>
   class PostprocessorList
@@ -53,9 +53,14 @@ namespace seiche
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics);
 
-    /// Fills "ledger" and "errors" of the summary.
+    /// Fills "ledger", "errors", "verdict" and more of the summary.
     void
     finish(const StatisticsTable &statistics, nlohmann::ordered_json &summary);
+
+    /// True if the finished run fails a verdict that decides over the exit
+    /// code.
+    bool
+    rejects_run() const;
 
     /// What all of them carry from step to step. Collective.
     void

@@ -2,6 +2,7 @@
 #ifndef seiche_simulation_run_report_h
 #define seiche_simulation_run_report_h
 
+#include <seiche/simulation/progress_file.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/state_archive.h>
 #include <seiche/utilities/timer_tree.h>
@@ -112,8 +113,9 @@ namespace seiche
     const bool     speaks; // rank 0
     const bool     on_terminal;
 
-    GrowingFile log, test_output;
-    std::string early_log; // before open_files()
+    GrowingFile  log, test_output;
+    ProgressFile progress_file;
+    std::string  early_log; // before open_files()
 
     std::vector<std::pair<std::string, unsigned int>> warnings;
 

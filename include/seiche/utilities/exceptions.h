@@ -15,7 +15,8 @@ namespace seiche
     input     = 2,
     numerical = 3,
     files     = 4,
-    stopped   = 5
+    stopped   = 5,
+    rejected  = 6 ///< finished, but fails a verdict
   };
 
   /**

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/parameters/nearest_name.h>
+#include <seiche/postprocess/verdicts.h>
+#include <seiche/scene/entry_values.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace seiche
+{
+  namespace
+  {
+    const std::string of_scores = "errors/";
+
+    /// The number at a path "ledger/lost_points"; null if there is none.
+    const nlohmann::ordered_json *
+    number_at(const nlohmann::ordered_json &summary, const std::string &path)
+    {
+      const nlohmann::ordered_json *here = &summary;
+      for (std::size_t begin = 0; begin <= path.size();)
+        {
+          const std::size_t end  = std::min(path.find('/', begin), path.size());
+          const std::string part = path.substr(begin, end - begin);
+          if (!here->is_object() || !here->contains(part))
+            return nullptr;
+          here  = &(*here)[part];
+          begin = end + 1;
+        }
+      return here->is_number() ? here : nullptr;
+    }
+  } // namespace
+
+  void
+  VerdictParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    prm.add_parameter("Value",
+                      value,
+                      "A number of summary.json by its path: errors/NAME (of a "
+                      "score), ledger/energy_max_relative_gain, "
+                      "ledger/lost_points, largest/seen volume, "
+                      "largest/overfull, rejected_steps, ...",
+                      dealii::Patterns::Anything(),
+                      /*has_to_be_set=*/true);
+    prm.add_parameter("At least", at_least_text, "Smallest value that passes.");
+    prm.add_parameter("At most", at_most_text, "Largest value that passes.");
+  }
+
+  void
+  VerdictParameters::check(const InputFile                &input,
+                           const std::vector<std::string> &scores)
+  {
+    const std::string section = std::string(kind) + " " + name;
+    input.require(!at_least_text.empty() || !at_most_text.empty(),
+                  section + "/At most",
+                  "a verdict needs a bound: set it, or \"At least\".");
+    if (!at_least_text.empty())
+      at_least =
+        entry_values::number(input, section + "/At least", at_least_text);
+    if (!at_most_text.empty())
+      at_most = entry_values::number(input, section + "/At most", at_most_text);
+    if (value.rfind(of_scores, 0) != 0)
+      return;
+    const std::string score = value.substr(of_scores.size());
+    input.require(std::find(scores.begin(), scores.end(), score) !=
+                    scores.end(),
+                  section + "/Value",
+                  "there is no \"Score " + score + "\"" +
+                    nearest_hint(score, scores) + " Scores are " +
+                    (scores.empty() ? "none" : quoted_list(scores)) + ".");
+  }
+
+  nlohmann::ordered_json
+  judge(const std::vector<VerdictParameters> &verdicts,
+        const nlohmann::ordered_json         &summary)
+  {
+    nlohmann::ordered_json failed = nlohmann::ordered_json::array();
+    for (const VerdictParameters &verdict : verdicts)
+      {
+        const auto *number = number_at(summary, verdict.value);
+        if (number == nullptr)
+          {
+            failed.push_back(fmt::format("{}: summary.json has no number {}",
+                                         verdict.name,
+                                         verdict.value));
+            continue;
+          }
+        const double value = number->get<double>();
+        if (value < verdict.at_least || value > verdict.at_most)
+          failed.push_back(
+            fmt::format("{}: {} is {:.4g}, {} {:g}",
+                        verdict.name,
+                        verdict.value,
+                        value,
+                        value > verdict.at_most ? "at most" : "at least",
+                        value > verdict.at_most ? verdict.at_most :
+                                                  verdict.at_least));
+      }
+    return {{"passed", failed.empty()}, {"failed", failed}};
+  }
+} // namespace seiche
