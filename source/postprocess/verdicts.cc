@@ -89,15 +89,16 @@ namespace seiche
             continue;
           }
         const double value = number->get<double>();
-        if (value < verdict.at_least || value > verdict.at_most)
+        // not (a > b): what is not a number does not pass
+        if (!(value >= verdict.at_least && value <= verdict.at_most))
           failed.push_back(
             fmt::format("{}: {} is {:.4g}, {} {:g}",
                         verdict.name,
                         verdict.value,
                         value,
-                        value > verdict.at_most ? "at most" : "at least",
-                        value > verdict.at_most ? verdict.at_most :
-                                                  verdict.at_least));
+                        value < verdict.at_least ? "at least" : "at most",
+                        value < verdict.at_least ? verdict.at_least :
+                                                   verdict.at_most));
       }
     return {{"passed", failed.empty()}, {"failed", failed}};
   }
