@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Area of each shape, summed over boxes, and the refused bodies.
 #include <seiche/scene/box_part.h>
-#include <seiche/scene/region.h>
+#include <seiche/scene/fluid_body.h>
 
 #include <iomanip>
 

@@ -3,7 +3,7 @@
 #define seiche_points_seeding_h
 
 #include <seiche/points/point_cloud.h>
-#include <seiche/scene/region.h>
+#include <seiche/scene/fluid_body.h>
 
 #include <vector>
 

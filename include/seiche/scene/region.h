@@ -2,22 +2,16 @@
 #ifndef seiche_scene_region_h
 #define seiche_scene_region_h
 
+#include <seiche/scene/expression.h>
+
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 
 #include <limits>
 #include <memory>
-#include <string>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace seiche
 {
-  class InputFile;
-
   /**
    * @brief Shape of a fluid body at the start.
    */
@@ -57,43 +51,20 @@ namespace seiche
     lattice_box(const dealii::BoundingBox<dim> &cell) const;
   };
 
-  /**
-   * @brief prm entries of "Fluid body NAME": shape, its sizes, velocity.
-   *
-   * Shapes: box (corners), ellipsoid (centre, semi-axes; ball: one radius),
-   * polygon (vertices; Boost.Geometry; in 3D a prism along y), expression
-   * (inside where < 0).
-   */
   template <int dim>
-  struct FluidBodyParameters
-  {
-    std::string name;
-    std::string shape = "box";
-    std::string lower_text, upper_text, centre_text, radius_text,
-      semi_axes_text, vertices_text, span_text, expression_text;
-    std::string velocity = (dim == 2 ? "0; 0" : "0; 0; 0"); // [m/s], (x, t=0)
+  std::unique_ptr<Region<dim>>
+  box_region(const dealii::BoundingBox<dim> &box);
 
-    /// Enters the subsection "Fluid body NAME"; set the name before.
-    void
-    add_parameters(dealii::ParameterHandler &prm);
+  template <int dim>
+  std::unique_ptr<Region<dim>>
+  ellipsoid_region(const dealii::Point<dim>     &centre,
+                   const dealii::Tensor<1, dim> &semi_axes);
 
-    void
-    check(const InputFile &input) const;
-
-    /// Make the region; InputError with place for bad sizes. @p domain is the
-    /// box of the grid: a body that reaches out of it is refused. @p input
-    /// must outlive the region.
-    std::unique_ptr<Region<dim>>
-    make_region(const InputFile                &input,
-                const dealii::BoundingBox<dim> &domain) const;
-
-    /// Path of one of this body's entries in the parameter file.
-    std::string
-    path(const std::string &entry) const
-    {
-      return "Fluid body " + name + "/" + entry;
-    }
-  };
+  /// Inside where the expression at t = 0 is negative.
+  template <int dim>
+  std::unique_ptr<Region<dim>>
+  expression_region(Expression<dim>               &&level_set,
+                    const dealii::BoundingBox<dim> &domain);
 } // namespace seiche
 
 #endif

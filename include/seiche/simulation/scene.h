@@ -13,7 +13,7 @@
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/scene/background_grid.h>
 #include <seiche/scene/body_force.h>
-#include <seiche/scene/region.h>
+#include <seiche/scene/fluid_body.h>
 #include <seiche/simulation/checkpoint_schedule.h>
 #include <seiche/solve/linear_solver.h>
 #include <seiche/solve/newton.h>

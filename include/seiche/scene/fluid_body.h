@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_scene_fluid_body_h
+#define seiche_scene_fluid_body_h
+
+#include <seiche/scene/region.h>
+
+#include <string>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace seiche
+{
+  class InputFile;
+
+  /**
+   * @brief prm entries of "Fluid body NAME": shape, its sizes, velocity.
+   *
+   * Shapes: box (corners), ellipsoid (centre, semi-axes; ball: one radius),
+   * polygon (vertices; Boost.Geometry; in 3D a prism along y), expression
+   * (inside where < 0).
+   */
+  template <int dim>
+  struct FluidBodyParameters
+  {
+    std::string name;
+    std::string shape = "box";
+    std::string lower_text, upper_text, centre_text, radius_text,
+      semi_axes_text, vertices_text, span_text, expression_text;
+    std::string velocity = (dim == 2 ? "0; 0" : "0; 0; 0"); // [m/s], (x, t=0)
+
+    /// Enters the subsection "Fluid body NAME"; set the name before.
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    void
+    check(const InputFile &input) const;
+
+    /// Make the region; InputError with place for bad sizes. @p domain is the
+    /// box of the grid: a body that reaches out of it is refused. @p input
+    /// must outlive the region.
+    std::unique_ptr<Region<dim>>
+    make_region(const InputFile                &input,
+                const dealii::BoundingBox<dim> &domain) const;
+
+    /// Path of one of this body's entries in the parameter file.
+    std::string
+    path(const std::string &entry) const
+    {
+      return "Fluid body " + name + "/" + entry;
+    }
+  };
+} // namespace seiche
+
+#endif

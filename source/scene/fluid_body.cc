@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/scene/entry_values.h>
+#include <seiche/scene/fluid_body.h>
+#include <seiche/scene/polygon_region.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+namespace seiche
+{
+  namespace
+  {
+    template <int dim>
+    using Box = dealii::BoundingBox<dim>;
+
+
+
+    template <int dim>
+    std::unique_ptr<Region<dim>>
+    make_box(const InputFile                &input,
+             const FluidBodyParameters<dim> &body,
+             const Box<dim> &)
+    {
+      const auto lower = entry_values::point<dim>(input,
+                                                  body.path("Lower corner"),
+                                                  body.lower_text);
+      const auto upper = entry_values::point<dim>(input,
+                                                  body.path("Upper corner"),
+                                                  body.upper_text);
+      for (unsigned int d = 0; d < dim; ++d)
+        input.require(lower[d] < upper[d],
+                      body.path("Upper corner"),
+                      "must be greater than \"Lower corner\" in every "
+                      "direction.");
+      return box_region<dim>(Box<dim>({lower, upper}));
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<Region<dim>>
+    make_ellipsoid(const InputFile                &input,
+                   const FluidBodyParameters<dim> &body,
+                   const Box<dim> &)
+    {
+      const auto centre =
+        entry_values::point<dim>(input, body.path("Centre"), body.centre_text);
+      const bool             ball = body.shape == "ball";
+      const std::string      path = body.path(ball ? "Radius" : "Semi-axes");
+      dealii::Tensor<1, dim> semi_axes;
+      if (ball)
+        {
+          const double radius =
+            entry_values::number(input, path, body.radius_text);
+          for (unsigned int d = 0; d < dim; ++d)
+            semi_axes[d] = radius;
+        }
+      else
+        semi_axes = entry_values::point<dim>(input, path, body.semi_axes_text);
+      for (unsigned int d = 0; d < dim; ++d)
+        input.require(semi_axes[d] > 0., path, "must be greater than zero.");
+      return ellipsoid_region<dim>(centre, semi_axes);
+    }
+
+
+
+    template <int dim>
+    std::optional<std::array<double, 2>>
+    read_span(const InputFile &input, const FluidBodyParameters<dim> &body)
+    {
+      if (body.span_text.empty())
+        return {};
+      const auto numbers =
+        entry_values::numbers(input, body.path("Span"), body.span_text);
+      input.require(numbers.size() == 2 && numbers[0] < numbers[1],
+                    body.path("Span"),
+                    "must be two numbers in order, from and to in y.");
+      return std::array<double, 2>{{numbers[0], numbers[1]}};
+    }
+
+
+
+    /// Vertices "x y, x y, ...".
+    PolygonVertices
+    read_vertices(const InputFile   &input,
+                  const std::string &path,
+                  const std::string &text)
+    {
+      const std::vector<double> numbers =
+        entry_values::numbers(input, path, text);
+      input.require(numbers.size() >= 6 && numbers.size() % 2 == 0,
+                    path,
+                    fmt::format("{} number(s) given; at least three vertices "
+                                "\"x y, x y, ...\" (3D: x z) are needed.",
+                                numbers.size()));
+      PolygonVertices vertices;
+      for (std::size_t i = 0; i < numbers.size(); i += 2)
+        vertices.push_back({{numbers[i], numbers[i + 1]}});
+      const std::string problem = problem_of_polygon(vertices);
+      input.require(problem.empty(), path, problem);
+      return vertices;
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<Region<dim>>
+    make_polygon(const InputFile                &input,
+                 const FluidBodyParameters<dim> &body,
+                 const Box<dim>                 &domain)
+    {
+      return polygon_region<dim>(read_vertices(input,
+                                               body.path("Vertices"),
+                                               body.vertices_text),
+                                 read_span(input, body),
+                                 domain);
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<Region<dim>>
+    make_expression(const InputFile                &input,
+                    const FluidBodyParameters<dim> &body,
+                    const Box<dim>                 &domain)
+    {
+      return expression_region<dim>(
+        Expression<dim>(input,
+                        body.path("Expression"),
+                        body.expression_text,
+                        /*n_components=*/1,
+                        domain.get_boundary_points().first),
+        domain);
+    }
+
+
+
+    /// One row of the table of shapes.
+    template <int dim>
+    struct Shape
+    {
+      const char              *name;
+      std::vector<std::string> entries; ///< that it reads
+      std::unique_ptr<Region<dim>> (*make)(const InputFile &,
+                                           const FluidBodyParameters<dim> &,
+                                           const Box<dim> &domain);
+    };
+
+
+
+    template <int dim>
+    const std::vector<Shape<dim>> &
+    shapes()
+    {
+      static const std::vector<Shape<dim>> table = {
+        {"box", {"Lower corner", "Upper corner"}, make_box<dim>},
+        {"ball", {"Centre", "Radius"}, make_ellipsoid<dim>},
+        {"ellipsoid", {"Centre", "Semi-axes"}, make_ellipsoid<dim>},
+        {"polygon", {"Vertices", "Span"}, make_polygon<dim>},
+        {"expression", {"Expression"}, make_expression<dim>}};
+      return table;
+    }
+
+
+
+    /// InputError unless the body lies in the domain.
+    template <int dim>
+    void
+    require_inside(const InputFile                &input,
+                   const FluidBodyParameters<dim> &body,
+                   const Box<dim>                 &box,
+                   const Box<dim>                 &domain)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const double      tolerance = 1e-10 * domain.side_length(d);
+          const std::string size =
+            body.shape == "box" ?
+              (box.lower_bound(d) < domain.lower_bound(d) - tolerance ?
+                 "Lower corner" :
+                 "Upper corner") :
+              (body.shape != "polygon" ? "Centre" :
+               dim == 3 && d == 1      ? "Span" :
+                                         "Vertices");
+          input.require(
+            box.lower_bound(d) >= domain.lower_bound(d) - tolerance &&
+              box.upper_bound(d) <= domain.upper_bound(d) + tolerance,
+            body.path(size),
+            fmt::format("the body reaches from {:g} to {:g} m in direction "
+                        "{}, outside the domain from {:g} to {:g} m; move it "
+                        "or enlarge \"Grid\".",
+                        box.lower_bound(d),
+                        box.upper_bound(d),
+                        "xyz"[d],
+                        domain.lower_bound(d),
+                        domain.upper_bound(d)));
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  FluidBodyParameters<dim>::add_parameters(dealii::ParameterHandler &prm)
+  {
+    std::string names;
+    for (const Shape<dim> &row : shapes<dim>())
+      names += (names.empty() ? "" : "|") + std::string(row.name);
+    prm.enter_subsection("Fluid body " + name);
+    prm.add_parameter("Shape",
+                      shape,
+                      "Shape of the body; each uses its own entries below.",
+                      dealii::Patterns::Selection(names));
+    prm.add_parameter("Lower corner", lower_text, "Of a box. [m]");
+    prm.add_parameter("Upper corner", upper_text, "Of a box. [m]");
+    prm.add_parameter("Centre", centre_text, "Of a ball or ellipsoid. [m]");
+    prm.add_parameter("Radius", radius_text, "Of a ball. [m]");
+    prm.add_parameter("Semi-axes",
+                      semi_axes_text,
+                      "Of an ellipsoid, one per direction. [m]");
+    prm.add_parameter("Vertices",
+                      vertices_text,
+                      dim == 2 ? "Of a polygon, in order: x y, x y, ... [m]" :
+                                 "Of a polygon, in order: x z, x z, ...; the "
+                                 "body is a prism along y. [m]");
+    if (dim == 3)
+      prm.add_parameter("Span",
+                        span_text,
+                        "Of a polygon: from and to in y; empty: the whole "
+                        "domain. [m]");
+    prm.add_parameter("Expression",
+                      expression_text,
+                      "The fluid is where this function of x, y[, z] is "
+                      "negative. A continuous one; it is evaluated in the "
+                      "whole domain, walls included.");
+    prm.add_parameter("Velocity",
+                      velocity,
+                      "Velocity at the start: one expression of x, y[, z] "
+                      "per direction, separated by \";\". [m/s]");
+    prm.leave_subsection();
+  }
+
+
+
+  template <int dim>
+  void
+  FluidBodyParameters<dim>::check(const InputFile &input) const
+  {
+    std::map<std::string, std::string> readers; // of an entry: names of shapes
+    std::set<std::string>              read;
+    for (const Shape<dim> &row : shapes<dim>())
+      for (const std::string &entry : row.entries)
+        {
+          std::string &names = readers[entry];
+          names += (names.empty() ? "" : " or ") + std::string(row.name);
+          if (shape == row.name)
+            read.insert(entry);
+        }
+    for (const auto &[entry, names] : readers)
+      input.read_only_if(read.count(entry) > 0,
+                         path(entry),
+                         "Shape = " + names);
+  }
+
+
+
+  template <int dim>
+  std::unique_ptr<Region<dim>>
+  FluidBodyParameters<dim>::make_region(const InputFile &input,
+                                        const Box<dim>  &domain) const
+  {
+    std::unique_ptr<Region<dim>> region;
+    for (const Shape<dim> &row : shapes<dim>())
+      if (shape == row.name)
+        region = row.make(input, *this, domain);
+    Assert(region != nullptr, dealii::ExcInternalError());
+    require_inside(input, *this, region->bounding_box(), domain);
+    return region;
+  }
+
+
+
+  template struct FluidBodyParameters<2>;
+  template struct FluidBodyParameters<3>;
+} // namespace seiche
