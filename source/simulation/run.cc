@@ -120,8 +120,13 @@ namespace seiche
       if (!restarts)
         take_folder(directory, lock, communicator);
       report.header(simulation->description());
-      for (const std::string &text : simulation->doubts())
-        report.warn(text, "");
+      if (!restarts)
+        {
+          const SceneScales scales = simulation->scene_scales();
+          report.header(scales.text());
+          for (const std::string &text : scales.doubts())
+            report.warn(text, "");
+        }
       for (const std::string &text : scene.input.without_effect())
         report.warn(text, "");
       if (restarts)

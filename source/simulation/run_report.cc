@@ -96,6 +96,16 @@ namespace seiche
       return text;
     }
 
+    /// What a line says of the verdicts of a summary.
+    std::string
+    verdict_text(const nlohmann::ordered_json &summary)
+    {
+      std::string text;
+      for (const auto &failed : summary["verdict"]["failed"])
+        text += (text.empty() ? "FAILED: " : "; ") + failed.get<std::string>();
+      return "verdict: " + (text.empty() ? "passed" : text);
+    }
+
     constexpr unsigned int warnings_kept = 100;
   } // namespace
 
@@ -311,13 +321,7 @@ namespace seiche
       }
 
     if (complete.contains("verdict"))
-      {
-        std::string failed;
-        for (const auto &text : complete["verdict"]["failed"])
-          failed += (failed.empty() ? "" : "; ") + text.get<std::string>();
-        print(failed.empty() ? "verdict: passed" :
-                               "verdict: FAILED: " + failed);
-      }
+      print(verdict_text(complete));
     const std::string times = timer.report();
     header("\n" + times);
     if (!options.directory.empty())

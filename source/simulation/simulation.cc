@@ -115,17 +115,7 @@ namespace seiche
                                       state.dt));
             break;
           }
-        report.warn("a step was repeated with half its size",
-                    fmt::format("t = {:.6g} s: {}", state.time, failure));
-        try
-          {
-            state.dt = time_stepper.repeat(failure);
-          }
-        catch (const NumericalError &) // all ranks
-          {
-            write_failure();
-            throw;
-          }
+        halve_step(failure);
         if (schedule.stop_is_wanted())
           return false;
       }
@@ -136,6 +126,23 @@ namespace seiche
     time_stepper.accept();
     material_is_found = points_are_controlled = false;
     return true;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::halve_step(const std::string &failure)
+  {
+    report.warn("a step was repeated with half its size",
+                fmt::format("t = {:.6g} s: {}", state.time, failure));
+    try
+      {
+        state.dt = time_stepper.repeat(failure);
+      }
+    catch (const NumericalError &) // on all ranks
+      {
+        write_failure();
+        throw;
+      }
   }
 
   template <int dim>

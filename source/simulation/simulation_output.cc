@@ -49,19 +49,9 @@ namespace seiche
                                    points.n_global(),
                                    n_ranks,
                                    n_ranks == 1 ? "" : "s");
-    if (start != nullptr)
-      return text;
-    for (const SeededBody &body : seeding.bodies)
+    for (const SeededBody &body : seeding.bodies) // none after a restart
       text += in_words(body) + "\n";
-    return text + scene_scales().text() + "\n";
-  }
-
-  template <int dim>
-  std::vector<std::string>
-  Simulation<dim>::doubts() const
-  {
-    return start == nullptr ? scene_scales().doubts() :
-                              std::vector<std::string>();
+    return text;
   }
 
   template <int dim>
@@ -204,10 +194,10 @@ namespace seiche
   Simulation<2>::description() const;
   template std::string
   Simulation<3>::description() const;
-  template std::vector<std::string>
-  Simulation<2>::doubts() const;
-  template std::vector<std::string>
-  Simulation<3>::doubts() const;
+  template SceneScales
+  Simulation<2>::scene_scales() const;
+  template SceneScales
+  Simulation<3>::scene_scales() const;
   template StepView<2>
   Simulation<2>::step_view(const double) const;
   template StepView<3>

@@ -419,10 +419,6 @@ GEOMETRY = [
     Case("score of an unknown column",
          **added("subsection Score s\n  set Column = speed_mx [m/s]\nend\n"),
          line=LAST + 2, expect=['"Column" in "Score s"', "speed_max"]),
-    Case("reference table missing",
-         **added("subsection Score s\n  set Column = speed_max [m/s]\n"
-                 "  set Reference table = none.csv\nend\n"),
-         line=LAST + 3, expect=['"Reference table" in "Score s"', "none.csv"]),
     Case("verdict on a score that there is not",
          **added("subsection Score speed\n  set Column = speed_max [m/s]\nend\n"
                  "subsection Verdict v\n  set Value = errors/sped\n"
@@ -431,15 +427,14 @@ GEOMETRY = [
     Case("verdict without a bound",
          **added("subsection Verdict v\n  set Value = steps\nend\n"),
          line=LAST + 1, expect=['"At most" in "Verdict v"', "bound"]),
-    Case("reference table is a device",
+] + [
+    Case(f"reference table: {name}",
          **added("subsection Score s\n  set Column = speed_max [m/s]\n"
-                 "  set Reference table = /dev/zero\nend\n"),
-         line=LAST + 3, expect=['"Reference table" in "Score s"', "regular file"]),
-    Case("reference table is a pipe",
-         **added("subsection Score s\n  set Column = speed_max [m/s]\n"
-                 "  set Reference table = pipe\nend\n"),
-         line=LAST + 3, expect=['"Reference table" in "Score s"', "regular file"],
-         prepare=lambda folder: os.mkfifo(folder / "pipe")),
+                 f"  set Reference table = {name}\nend\n"),
+         line=LAST + 3, expect=['"Reference table" in "Score s"', text],
+         prepare=lambda folder: os.mkfifo(folder / "pipe"))
+    for name, text in [("none.csv", "none.csv: there is no such file"),
+                       ("/dev/zero", "regular file"), ("pipe", "regular file")]
 ]
 
 

@@ -56,9 +56,9 @@ namespace seiche
     std::string
     description() const;
 
-    /// What of the scene's start is hardly meant, a text each. Collective.
-    std::vector<std::string>
-    doubts() const;
+    /// Of the points where they are. Collective.
+    SceneScales
+    scene_scales() const;
 
     /// From the start to the end time, then the summary; or to a checkpoint
     /// after which this object is not to go on. Collective.
@@ -100,10 +100,6 @@ namespace seiche
     void
     prepare_start();
 
-    /// Collective.
-    SceneScales
-    scene_scales() const;
-
     /// Points and grid after a step of @p dt [s], 0: before the first.
     StepView<dim>
     step_view(const double dt) const;
@@ -112,6 +108,11 @@ namespace seiche
     postprocess();
     void
     finish();
+
+    /// After a try that failed. NumericalError if there is no smaller step.
+    /// Collective.
+    void
+    halve_step(const std::string &failure);
 
     /// The points and cells of a step that cannot be done, as they are at its
     /// start, into the folder "failure" of the output. Collective.
