@@ -83,59 +83,16 @@ namespace seiche
 
 
 
-    /// All that is needed to fill one body.
-    template <int dim>
-    struct Body
-    {
-      std::unique_ptr<Region<dim>>     region;
-      std::unique_ptr<Expression<dim>> velocity;
-    };
-
-
-
-    template <int dim>
-    std::vector<Body<dim>>
-    make_bodies(const std::vector<FluidBodyParameters<dim>> &bodies,
-                const InputFile                             &input,
-                const dealii::BoundingBox<dim>              &domain)
-    {
-      input.require(!bodies.empty(),
-                    "Fluid body NAME/Shape",
-                    "there is no fluid; add at least one subsection \"Fluid "
-                    "body NAME\".");
-      input.require(bodies.size() < 256,
-                    bodies.back().path("Shape"),
-                    "at most 255 fluid bodies are possible.");
-      std::vector<Body<dim>> result;
-      for (const auto &body : bodies)
-        {
-          Body<dim> made;
-          made.region = body.make_region(input, domain);
-          // a place inside the body's box: the corner of the domain may be
-          // a singular point of the velocity
-          made.velocity = std::make_unique<Expression<dim>>(
-            input,
-            body.path("Velocity"),
-            body.velocity,
-            dim,
-            made.region->bounding_box().center());
-          result.push_back(std::move(made));
-        }
-      return result;
-    }
-
-
-
     /// Seeds the cells of this rank with one body.
     template <int dim>
     class Seeder
     {
     public:
-      Seeder(const SeedingParameters      &seeding_parameters,
-             const std::vector<Body<dim>> &body_list,
-             const unsigned int            index,
-             const double                  rest_density,
-             PointCloud<dim>              &target);
+      Seeder(const SeedingParameters           &seeding_parameters,
+             const std::vector<FluidBody<dim>> &body_list,
+             const unsigned int                 index,
+             const double                       rest_density,
+             PointCloud<dim>                   &target);
 
       /// Every cell of the finest lattice inside the cell.
       void
@@ -163,7 +120,7 @@ namespace seiche
                             const double              step);
 
       const SeedingParameters &parameters;
-      const Body<dim>         &body;
+      const FluidBody<dim>    &body;
       const unsigned int       body_index;
       const double             density;
       PointCloud<dim>         &points;
@@ -174,10 +131,10 @@ namespace seiche
 
     template <int dim>
     std::vector<const Region<dim> *>
-    regions(const std::vector<Body<dim>> &bodies)
+    regions(const std::vector<FluidBody<dim>> &bodies)
     {
       std::vector<const Region<dim> *> result;
-      for (const Body<dim> &body : bodies)
+      for (const FluidBody<dim> &body : bodies)
         result.push_back(body.region.get());
       return result;
     }
@@ -185,11 +142,11 @@ namespace seiche
 
 
     template <int dim>
-    Seeder<dim>::Seeder(const SeedingParameters      &seeding_parameters,
-                        const std::vector<Body<dim>> &body_list,
-                        const unsigned int            index,
-                        const double                  rest_density,
-                        PointCloud<dim>              &target)
+    Seeder<dim>::Seeder(const SeedingParameters           &seeding_parameters,
+                        const std::vector<FluidBody<dim>> &body_list,
+                        const unsigned int                 index,
+                        const double                       rest_density,
+                        PointCloud<dim>                   &target)
       : parameters(seeding_parameters)
       , body(body_list[index])
       , body_index(index)
@@ -319,47 +276,6 @@ namespace seiche
               difference[i] / (2. * step);
         }
     }
-    /// Refuses what cannot fit: half the points of the bodies' bounding boxes
-    /// against the memory of one machine a rank.
-    template <int dim>
-    void
-    check_memory(const std::vector<Body<dim>> &bodies,
-                 const double                  n_places,
-                 const InputFile              &input,
-                 const PointCloud<dim>        &points)
-    {
-      constexpr double bytes_a_point = 160.; // doc/scaling.md
-      constexpr double gib           = 1024. * 1024. * 1024.;
-      const auto       domain        = points.locator.grid.parameters.domain();
-      double           share         = 0.;
-      for (const Body<dim> &body : bodies)
-        {
-          const auto box    = body.region->bounding_box();
-          double     within = 1.;
-          for (unsigned int d = 0; d < dim; ++d)
-            within *=
-              std::max(0.,
-                       std::min(box.upper_bound(d), domain.upper_bound(d)) -
-                         std::max(box.lower_bound(d), domain.lower_bound(d))) /
-              domain.side_length(d);
-          share += within;
-        }
-      const double needed = 0.5 * share * n_places * bytes_a_point;
-      const double memory =
-        static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-        static_cast<double>(sysconf(_SC_PAGE_SIZE)) *
-        dealii::Utilities::MPI::n_mpi_processes(points.communicator);
-      input.require(needed < memory,
-                    "Points/Per cell and direction",
-                    fmt::format("cells of the highest level that hold fluid "
-                                "get this many: about {:.2g} points, {:.0f} "
-                                "GiB or more; there are {:.0f} GiB. Choose "
-                                "fewer, larger cells or smaller levels of "
-                                "refinement.",
-                                share * n_places,
-                                needed / gib,
-                                memory / gib));
-    }
   } // namespace
 
 
@@ -372,8 +288,8 @@ namespace seiche
               const double                                 density,
               PointCloud<dim>                             &points)
   {
-    const std::vector<Body<dim>> made =
-      make_bodies(bodies, input, points.locator.grid.parameters.domain());
+    const std::vector<FluidBody<dim>> made =
+      make_fluid_bodies(bodies, input, points.locator.grid.parameters.domain());
     const double n_places =
       points.locator.n_lattice_cells() *
       dealii::Utilities::fixed_power<dim>(double(parameters.per_direction));
@@ -385,7 +301,6 @@ namespace seiche
                               "levels of refinement.",
                               n_places,
                               id_bits));
-    check_memory(made, n_places, input, points);
     SeedingResult result;
     double        smallest_spacing = std::numeric_limits<double>::max();
     for (unsigned int b = 0; b < made.size(); ++b)

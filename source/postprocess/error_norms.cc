@@ -62,7 +62,7 @@ namespace seiche
   template <int dim>
   void
   ErrorParameters<dim>::check(const InputFile           &input,
-                              const BackgroundGrid<dim> &grid) const
+                              const GridParameters<dim> &grid) const
   {
     input.read_only_if(norm != "relative L2",
                        std::string(kind) + " " + name + "/Scale",
@@ -84,23 +84,23 @@ namespace seiche
   template <int dim>
   Expression<dim>
   ErrorParameters<dim>::exact_solution(const InputFile           &input,
-                                       const BackgroundGrid<dim> &grid) const
+                                       const GridParameters<dim> &grid) const
   {
     return Expression<dim>(input,
                            std::string(kind) + " " + name + "/Exact",
                            exact,
                            n_components(),
-                           grid.parameters.lower_corner);
+                           grid.lower_corner);
   }
 
   template <int dim>
   BoundingBox<dim>
   ErrorParameters<dim>::region(const InputFile           &input,
-                               const BackgroundGrid<dim> &grid) const
+                               const GridParameters<dim> &grid) const
   {
     const std::string                 section = std::string(kind) + " " + name;
-    std::pair<Point<dim>, Point<dim>> corners(grid.parameters.lower_corner,
-                                              grid.parameters.upper_corner);
+    std::pair<Point<dim>, Point<dim>> corners(grid.lower_corner,
+                                              grid.upper_corner);
     if (!region_lower.empty())
       corners.first = entry_values::point<dim>(input,
                                                section + "/Region lower",
@@ -125,8 +125,8 @@ namespace seiche
     const BackgroundGrid<dim>                 &grid,
     const std::shared_ptr<NodalPressure<dim>> &nodal_pressure)
     : parameters(error_parameters)
-    , exact(error_parameters.exact_solution(input, grid))
-    , region(error_parameters.region(input, grid))
+    , exact(error_parameters.exact_solution(input, grid.parameters))
+    , region(error_parameters.region(input, grid.parameters))
     , pressure(nodal_pressure)
     , of_pressure(error_parameters.quantity == "pressure")
   {}

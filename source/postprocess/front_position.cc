@@ -33,9 +33,8 @@ namespace seiche
   template <int dim>
   void
   FrontParameters<dim>::check(const InputFile           &input,
-                              const BackgroundGrid<dim> &grid) const
+                              const GridParameters<dim> &box) const
   {
-    const GridParameters<dim> &box = grid.parameters;
     input.require(least_height <=
                     box.upper_corner[dim - 1] - box.lower_corner[dim - 1],
                   std::string(kind) + " " + name + "/Least height",

@@ -6,6 +6,7 @@
 #include <seiche/postprocess/grid_output.h>
 #include <seiche/postprocess/mass_and_energy.h>
 #include <seiche/postprocess/mean_level.h>
+#include <seiche/postprocess/output_parameters.h>
 #include <seiche/postprocess/point_output.h>
 #include <seiche/postprocess/point_series.h>
 #include <seiche/postprocess/postprocessor_table.h>
@@ -30,55 +31,6 @@ namespace seiche
 
   namespace
   {
-    /// prm entries of "Output" that choose frames, and what has no name.
-    struct OutputParameters
-    {
-      double interval   = 0.; ///< [s], 0: no frames
-      bool   grid       = true;
-      bool   points     = true;
-      bool   surface    = true;
-      bool   series     = false;
-      bool   mean_level = false;
-      bool   verdict    = false; ///< decides over the exit code
-
-      void
-      add_parameters(ParameterHandler &prm);
-    };
-
-    void
-    OutputParameters::add_parameters(ParameterHandler &prm)
-    {
-      prm.enter_subsection("Output");
-      prm.add_parameter("Interval",
-                        interval,
-                        "Time between two frames of grid, points and surface; "
-                        "0: no frames. [s]",
-                        Patterns::Double(0.));
-      prm.add_parameter("Grid",
-                        grid,
-                        "Write the occupied cells for ParaView (grid.pvd).");
-      prm.add_parameter("Points",
-                        points,
-                        "Write the points for ParaView (points.pvd).");
-      prm.add_parameter("Surface",
-                        surface,
-                        "Write the free surface for ParaView (surface.pvd); "
-                        "only with Quadrature/Rule = cut cells.");
-      prm.add_parameter("Point series",
-                        series,
-                        "Write the points in full precision, one HDF5 file a "
-                        "frame.");
-      prm.add_parameter("Mean level",
-                        mean_level,
-                        "Add the mean height of the free surface to the "
-                        "statistics.");
-      prm.add_parameter("Exit code by verdict",
-                        verdict,
-                        "A finished run that fails one of its \"Verdict NAME\" "
-                        "ends with exit code 6.");
-      prm.leave_subsection();
-    }
-
     /// The subsections "KIND NAME" of the file, in its order.
     template <typename Parameters>
     std::vector<Parameters>
@@ -111,7 +63,7 @@ namespace seiche
     void
     check_instances(const std::vector<Parameters> &instances,
                     const InputFile               &input,
-                    const BackgroundGrid<dim>     &grid,
+                    const GridParameters<dim>     &grid,
                     std::vector<std::string>      &columns)
     {
       for (const Parameters &instance : instances)
@@ -228,7 +180,7 @@ namespace seiche
   template <int dim>
   void
   PostprocessorList<dim>::check(
-    const BackgroundGrid<dim>      &grid,
+    const GridParameters<dim>      &grid,
     const std::vector<std::string> &other_columns) const
   {
     Implementation          &all     = *implementation;
@@ -344,6 +296,27 @@ namespace seiche
     summary["verdict"]      = judge(implementation->verdicts, summary);
     implementation->rejects = implementation->output.verdict &&
                               !summary["verdict"]["passed"].get<bool>();
+  }
+
+  template <int dim>
+  const OutputParameters &
+  PostprocessorList<dim>::output() const
+  {
+    return implementation->output;
+  }
+
+  template <int dim>
+  std::vector<NamedPlace<dim>>
+  PostprocessorList<dim>::places() const
+  {
+    std::vector<NamedPlace<dim>> result;
+    for (const auto &probe : implementation->probes)
+      result.push_back({probe.name, probe.position});
+    for (const auto &track : implementation->tracks)
+      result.push_back({track.name, track.position});
+    for (const auto &gauge : implementation->gauges)
+      result.push_back({gauge.name, gauge.position});
+    return result;
   }
 
   template <int dim>

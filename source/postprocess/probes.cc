@@ -92,15 +92,15 @@ namespace seiche
   template <int dim>
   void
   ProbeParameters<dim>::check(const InputFile           &input,
-                              const BackgroundGrid<dim> &grid) const
+                              const GridParameters<dim> &grid) const
   {
     const std::string section = std::string(kind) + " " + name;
-    input.require(holds_fluid(position, grid.parameters),
+    input.require(holds_fluid(position, grid),
                   section + "/Position",
                   "the probe lies outside the domain or inside an obstacle; "
                   "move it into the fluid or onto a wall.");
     for (const Point<dim> &x : places(grid))
-      input.require(holds_fluid(x, grid.parameters),
+      input.require(holds_fluid(x, grid),
                     section + "/Diameter",
                     "the sensor reaches beyond the wall that it lies in; "
                     "choose a smaller diameter or move it.");
@@ -121,11 +121,11 @@ namespace seiche
 
   template <int dim>
   std::vector<Point<dim>>
-  ProbeParameters<dim>::places(const BackgroundGrid<dim> &grid) const
+  ProbeParameters<dim>::places(const GridParameters<dim> &grid) const
   {
     if (diameter == 0.)
       return {position};
-    const unsigned int      normal = wall_normal(position, grid.parameters);
+    const unsigned int      normal = wall_normal(position, grid);
     std::vector<Point<dim>> result;
     if constexpr (dim == 2)
       {
@@ -168,7 +168,7 @@ namespace seiche
     , table(filename, writes)
   {
     for (const auto &probe : probes)
-      places.push_back(probe.places(grid));
+      places.push_back(probe.places(grid.parameters));
   }
 
   template <int dim>

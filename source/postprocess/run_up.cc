@@ -28,7 +28,7 @@ namespace seiche
   template <int dim>
   void
   RunUpParameters<dim>::check(const InputFile           &input,
-                              const BackgroundGrid<dim> &grid) const
+                              const GridParameters<dim> &grid) const
   {
     const std::vector<std::string> known = wall_names(grid);
     const std::string              hint  = nearest_hint(wall, known);
@@ -54,7 +54,7 @@ namespace seiche
     , grid(background_grid)
     , extent(fluid_extent)
   {
-    const std::vector<std::string> names = wall_names(grid);
+    const std::vector<std::string> names = wall_names(grid.parameters);
     for (const RunUpParameters<dim> &run_up : run_ups)
       walls.push_back(std::find(names.begin(), names.end(), run_up.wall) -
                       names.begin());

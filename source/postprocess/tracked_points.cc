@@ -35,11 +35,11 @@ namespace seiche
   template <int dim>
   void
   TrackedPointParameters<dim>::check(const InputFile           &input,
-                                     const BackgroundGrid<dim> &grid) const
+                                     const GridParameters<dim> &grid) const
   {
     for (unsigned int d = 0; d < dim; ++d)
-      input.require(position[d] >= grid.parameters.lower_corner[d] &&
-                      position[d] <= grid.parameters.upper_corner[d],
+      input.require(position[d] >= grid.lower_corner[d] &&
+                      position[d] <= grid.upper_corner[d],
                     std::string(kind) + " " + name + "/Position",
                     "the place lies outside the domain; choose one in the "
                     "fluid.");

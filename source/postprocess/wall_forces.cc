@@ -86,7 +86,7 @@ namespace seiche
   template <int dim>
   void
   ForceParameters<dim>::check(const InputFile           &input,
-                              const BackgroundGrid<dim> &grid) const
+                              const GridParameters<dim> &grid) const
   {
     const std::vector<std::string> known = wall_names(grid);
     const std::string path = std::string(kind) + " " + name + "/Walls";
@@ -135,7 +135,7 @@ namespace seiche
     , grid(background_grid)
     , forces_of_wall(grid.n_walls())
   {
-    const std::vector<std::string> names = wall_names(grid);
+    const std::vector<std::string> names = wall_names(grid.parameters);
     for (unsigned int f = 0; f < forces.size(); ++f)
       for (const std::string &wall : forces[f].walls)
         forces_of_wall[std::find(names.begin(), names.end(), wall) -

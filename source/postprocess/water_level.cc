@@ -51,9 +51,8 @@ namespace seiche
   template <int dim>
   void
   GaugeParameters<dim>::check(const InputFile           &input,
-                              const BackgroundGrid<dim> &grid) const
+                              const GridParameters<dim> &box) const
   {
-    const GridParameters<dim> &box = grid.parameters;
     for (unsigned int d = 0; d + 1 < dim; ++d)
       input.require(position[d] >= box.lower_corner[d] &&
                       position[d] <= box.upper_corner[d],

@@ -305,8 +305,7 @@ namespace seiche
   BackgroundGrid<dim>::wall_name(const dealii::types::boundary_id id) const
   {
     AssertIndexRange(id, n_walls());
-    return id < 2 * dim ? side_name<dim>(id) :
-                          parameters.obstacles[id - 2 * dim].name;
+    return parameters.wall_name(id);
   }
 
 

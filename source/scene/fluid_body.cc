@@ -287,6 +287,48 @@ namespace seiche
 
 
 
+  template <int dim>
+  std::vector<FluidBody<dim>>
+  make_fluid_bodies(const std::vector<FluidBodyParameters<dim>> &bodies,
+                    const InputFile                             &input,
+                    const Box<dim>                              &domain)
+  {
+    input.require(!bodies.empty(),
+                  "Fluid body NAME/Shape",
+                  "there is no fluid; add at least one subsection \"Fluid "
+                  "body NAME\".");
+    input.require(bodies.size() < 256,
+                  bodies.back().path("Shape"),
+                  "at most 255 fluid bodies are possible.");
+    std::vector<FluidBody<dim>> result;
+    for (const auto &body : bodies)
+      {
+        FluidBody<dim> made;
+        made.name   = body.name;
+        made.region = body.make_region(input, domain);
+        // a place inside the body's box: the corner of the domain may be a
+        // singular point of the velocity
+        made.velocity = std::make_unique<Expression<dim>>(
+          input,
+          body.path("Velocity"),
+          body.velocity,
+          dim,
+          made.region->bounding_box().center());
+        result.push_back(std::move(made));
+      }
+    return result;
+  }
+
+
+
   template struct FluidBodyParameters<2>;
   template struct FluidBodyParameters<3>;
+  template std::vector<FluidBody<2>>
+  make_fluid_bodies(const std::vector<FluidBodyParameters<2>> &,
+                    const InputFile &,
+                    const Box<2> &);
+  template std::vector<FluidBody<3>>
+  make_fluid_bodies(const std::vector<FluidBodyParameters<3>> &,
+                    const InputFile &,
+                    const Box<3> &);
 } // namespace seiche

@@ -284,6 +284,15 @@ namespace seiche
 
 
   template <int dim>
+  std::string
+  GridParameters<dim>::wall_name(const unsigned int id) const
+  {
+    return id < 2 * dim ? side_name<dim>(id) : obstacles[id - 2 * dim].name;
+  }
+
+
+
+  template <int dim>
   WallCondition
   GridParameters<dim>::wall_condition(const unsigned int id) const
   {

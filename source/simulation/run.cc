@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/declarations.h>
 #include <seiche/parameters/parameter_table.h>
-#include <seiche/points/seeding.h>
 #include <seiche/simulation/run.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene.h>
+#include <seiche/simulation/scene_picture.h>
+#include <seiche/simulation/scene_plan.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/first_rank.h>
@@ -16,8 +17,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -38,28 +38,37 @@ namespace seiche
                           });
     }
 
-    /// Build and fill the grid as a run would; one line for the user.
+    /// What a run would need and a picture of the scene; no grid, no points.
     template <int dim>
-    std::string
-    validate(const Scene<dim> &scene, const MPI_Comm communicator)
+    void
+    validate(const Scene<dim>                  &scene,
+             const std::vector<FluidBody<dim>> &bodies,
+             const ScenePlan<dim>              &plan,
+             const std::string                 &output)
     {
-      const BackgroundGrid<dim> grid(scene.grid, communicator);
-      scene.postprocessors.check(grid, scene.simulation_columns());
-      const CellLocator<dim> locator(grid);
-      PointCloud<dim>        points(locator, {}, communicator);
-      seed_bodies(
-        scene.seeding, scene.bodies, scene.input, scene.fluid.density, points);
-
-      const double steps =
-        std::ceil(std::max(0., scene.time.end_time / scene.time.step - 1e-9));
-      return fmt::format("{} is valid: {}D, {} cells, {} points, {} {} "
-                         "steps\n",
-                         scene.input.filename,
-                         dim,
-                         grid.triangulation.n_global_active_cells(),
-                         points.n_global(),
-                         scene.time.is_controlled() ? "at least" : "about",
-                         steps);
+      const std::string file = output + ".svg";
+      std::string       picture;
+      try
+        {
+          const std::string title =
+            std::filesystem::path(scene.input.filename).stem().string() + ": " +
+            plan.size_text();
+          checked_file::write(file, [&](std::ostream &stream) {
+            stream << scene_picture(scene, bodies, title);
+          });
+          picture = "  picture: " + file + '\n';
+        }
+      catch (const FileError &error)
+        {
+          std::cerr << "warning: no picture: " << error.what() << '\n';
+        }
+      for (const std::string &doubt : plan.doubts(output))
+        std::cerr << "warning: " << doubt << '\n';
+      for (const std::string &in_vain : scene.input.without_effect())
+        std::cerr << "warning: " << in_vain << '\n';
+      std::cout << scene.input.filename << " is valid: " << plan.size_text()
+                << '\n'
+                << plan.cost_text() << picture << std::flush;
     }
 
     /// Make the folder of the results, if need be, and lock it. Collective.
@@ -196,18 +205,19 @@ namespace seiche
     scene.add_parameters(prm);
     input.parse_into(prm);
     scene.check(input);
-    if (command_line.validate)
-      {
-        const std::string text = validate(scene, communicator);
-        if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-          {
-            for (const std::string &in_vain : input.without_effect())
-              std::cerr << "warning: " << in_vain << '\n';
-            std::cout << text << std::flush;
-          }
-        return ExitCode::finished;
-      }
-
+    {
+      const auto bodies =
+        make_fluid_bodies(scene.bodies, input, scene.grid.domain());
+      const ScenePlan<dim> plan(scene, bodies);
+      plan.require_possible(
+        input, dealii::Utilities::MPI::n_mpi_processes(communicator));
+      if (command_line.validate)
+        {
+          if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+            validate(scene, bodies, plan, command_line.output);
+          return ExitCode::finished;
+        }
+    }
     return simulate(command_line, prm, scene, communicator);
   }
 

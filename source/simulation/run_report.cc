@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/summary_file.h>
+#include <seiche/utilities/readable.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -18,17 +19,6 @@ namespace seiche
 {
   namespace
   {
-    /// "2.1 h", "3.5 min" or "25 s".
-    std::string
-    duration(const double seconds)
-    {
-      if (seconds >= 5400.)
-        return fmt::format("{:.1f} h", seconds / 3600.);
-      if (seconds >= 90.)
-        return fmt::format("{:.1f} min", seconds / 60.);
-      return fmt::format("{:.0f} s", seconds);
-    }
-
     std::string
     clock_time(const double seconds_from_now)
     {
@@ -212,8 +202,9 @@ namespace seiche
 
     std::string text = line;
     if (left > 0. && left < 1e8)
-      text +=
-        fmt::format(" | {} left, ends {}", duration(left), clock_time(left));
+      text += fmt::format(" | {} left, ends {}",
+                          readable_duration(left),
+                          clock_time(left));
     if (!on_terminal)
       {
         std::cout << text << std::endl;

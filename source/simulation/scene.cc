@@ -131,6 +131,7 @@ namespace seiche
       "Transfer/Method",
       "FLIP acceleration updates velocities by Newmark's rule: set Time/Scheme "
       "= newmark, or another method");
+    postprocessors.check(grid, simulation_columns());
   }
 
   template <int dim>

@@ -53,9 +53,7 @@ namespace seiche
     , time_stepper(scene.time, step_advice(scene))
     , statistics(directory + "/statistics.csv",
                  Utilities::MPI::this_mpi_process(communicator) == 0)
-  {
-    scene.postprocessors.check(grid, scene.simulation_columns());
-  }
+  {}
 
   template <int dim>
   RunOutcome

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace seiche
 {
@@ -122,6 +123,11 @@ namespace seiche
     input.require(minimum_step <= step,
                   "Time/Minimum step",
                   "it must not exceed Time/Step");
+    constexpr double most_steps = std::numeric_limits<unsigned int>::max();
+    input.require(end_time / step < most_steps,
+                  "Time/End time",
+                  "that are more than 2^32 steps: choose an earlier end or "
+                  "a larger Time/Step");
     input.require(!(accepts_failing_steps() && controls_error()),
                   "Time/Failing steps",
                   "the error of a step that has not converged says nothing "

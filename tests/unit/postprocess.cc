@@ -261,7 +261,7 @@ namespace
     Parsed<dim>               parsed(input);
     auto                     &postprocessors = parsed.postprocessors;
     const BackgroundGrid<dim> grid(parsed.grid, communicator);
-    postprocessors.check(grid, {"time [s]"});
+    postprocessors.check(parsed.grid, {"time [s]"});
     postprocessors.make(name, grid, communicator);
 
     const CellLocator<dim> locator(grid);
@@ -358,10 +358,9 @@ namespace
     std::string text = "accepted";
     try
       {
-        const InputFile         input("scene2d.prm", {override_entry});
-        Parsed<2>               parsed(input);
-        const BackgroundGrid<2> grid(parsed.grid, MPI_COMM_WORLD);
-        parsed.postprocessors.check(grid, {"time [s]"});
+        const InputFile input("scene2d.prm", {override_entry});
+        Parsed<2>       parsed(input);
+        parsed.postprocessors.check(parsed.grid, {"time [s]"});
       }
     catch (const InputError &error)
       {

@@ -39,7 +39,7 @@ namespace seiche
     void
     add_parameters(dealii::ParameterHandler &prm);
     void
-    check(const InputFile &input, const BackgroundGrid<dim> &grid) const;
+    check(const InputFile &input, const GridParameters<dim> &grid) const;
     std::vector<std::string>
     columns() const;
 
@@ -52,11 +52,11 @@ namespace seiche
     /// The exact solution; InputError if it does not parse.
     Expression<dim>
     exact_solution(const InputFile           &input,
-                   const BackgroundGrid<dim> &grid) const;
+                   const GridParameters<dim> &grid) const;
 
     /// Box outside which nothing counts; InputError if it is none.
     dealii::BoundingBox<dim>
-    region(const InputFile &input, const BackgroundGrid<dim> &grid) const;
+    region(const InputFile &input, const GridParameters<dim> &grid) const;
   };
 
   /**

@@ -16,6 +16,15 @@ namespace dealii
 namespace seiche
 {
   class InputFile;
+  struct OutputParameters;
+
+  /// Where something is measured.
+  template <int dim>
+  struct NamedPlace
+  {
+    std::string        name;
+    dealii::Point<dim> place; ///< [m]
+  };
 
   /**
    * @brief All postprocessors of a scene: declares their entries, makes them
@@ -41,7 +50,7 @@ namespace seiche
     /// reference tables). @p other_columns: of the statistics, beside those
     /// that the postprocessors add. InputError with place.
     void
-    check(const BackgroundGrid<dim>      &grid,
+    check(const GridParameters<dim>      &grid,
           const std::vector<std::string> &other_columns) const;
 
     /// Make the postprocessors. @p directory empty: no files (validation).
@@ -61,6 +70,13 @@ namespace seiche
     /// code.
     bool
     rejects_run() const;
+
+    const OutputParameters &
+    output() const;
+
+    /// Of probes, tracked points and gauges.
+    std::vector<NamedPlace<dim>>
+    places() const;
 
     /// What all of them carry from step to step. Collective.
     void

@@ -32,14 +32,14 @@ namespace seiche
     void
     add_parameters(dealii::ParameterHandler &prm);
     void
-    check(const InputFile &input, const BackgroundGrid<dim> &grid) const;
+    check(const InputFile &input, const GridParameters<dim> &grid) const;
     std::vector<std::string>
     columns() const;
 
     /// Places whose mean is the reading [m]: one, or those of a sensor that
     /// lies in the plane of the wall nearest to it (2D: a line, 3D: a disc).
     std::vector<dealii::Point<dim>>
-    places(const BackgroundGrid<dim> &grid) const;
+    places(const GridParameters<dim> &grid) const;
   };
 
   /**

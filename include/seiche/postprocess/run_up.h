@@ -28,7 +28,7 @@ namespace seiche
     void
     add_parameters(dealii::ParameterHandler &prm);
     void
-    check(const InputFile &input, const BackgroundGrid<dim> &grid) const;
+    check(const InputFile &input, const GridParameters<dim> &grid) const;
     std::vector<std::string>
     columns() const;
   };

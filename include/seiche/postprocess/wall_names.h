@@ -2,7 +2,7 @@
 #ifndef seiche_postprocess_wall_names_h
 #define seiche_postprocess_wall_names_h
 
-#include <seiche/scene/background_grid.h>
+#include <seiche/scene/grid_parameters.h>
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace seiche
   /// Names of sides and obstacles, by boundary id.
   template <int dim>
   std::vector<std::string>
-  wall_names(const BackgroundGrid<dim> &grid)
+  wall_names(const GridParameters<dim> &grid)
   {
     std::vector<std::string> names;
     for (unsigned int id = 0; id < grid.n_walls(); ++id)

@@ -5,6 +5,7 @@
 #include <seiche/scene/region.h>
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -52,6 +53,23 @@ namespace seiche
       return "Fluid body " + name + "/" + entry;
     }
   };
+
+  /// A fluid body as the entries describe it.
+  template <int dim>
+  struct FluidBody
+  {
+    std::string                      name;
+    std::unique_ptr<Region<dim>>     region;
+    std::unique_ptr<Expression<dim>> velocity; ///< [m/s], at t = 0
+  };
+
+  /// InputError with place for what makes no sense, and for no body at all. @p
+  /// domain as of make_region(); @p input must outlive the bodies.
+  template <int dim>
+  std::vector<FluidBody<dim>>
+  make_fluid_bodies(const std::vector<FluidBodyParameters<dim>> &bodies,
+                    const InputFile                             &input,
+                    const dealii::BoundingBox<dim>              &domain);
 } // namespace seiche
 
 #endif

@@ -66,6 +66,10 @@ namespace seiche
     unsigned int
     n_walls() const;
 
+    /// Name of a boundary id, e.g. "left" or the name of an obstacle.
+    std::string
+    wall_name(const unsigned int id) const;
+
     /// By boundary id; friction: skin friction coefficient [-].
     WallCondition
     wall_condition(const unsigned int id) const;

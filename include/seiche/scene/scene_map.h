@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_scene_scene_map_h
+#define seiche_scene_scene_map_h
+
+#include <seiche/scene/fluid_body.h>
+#include <seiche/scene/grid_parameters.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief What is where at the start: the domain cut into some thousands of
+   * boxes, for estimates and pictures that must not cost a grid or points.
+   *
+   * Faces of obstacles, of box-shaped bodies and of grid segments are lines of
+   * the map, so that volumes of boxes are exact; of other shapes a piece counts
+   * as what is in its middle.
+   */
+  template <int dim>
+  class SceneMap
+  {
+  public:
+    using Index = std::array<unsigned int, dim>;
+
+    /// Beside the index of a fluid body.
+    static constexpr int air = -1, obstacle = -2;
+
+    struct Piece
+    {
+      Index                  index;
+      dealii::Point<dim>     centre; ///< [m]
+      dealii::Tensor<1, dim> extent; ///< [m]
+      double                 volume; ///< [m^dim]
+      int                    content;
+    };
+
+    /// About @p per_direction pieces in each direction, at most twice as many.
+    /// Where bodies overlap, the first one counts. Local.
+    SceneMap(const GridParameters<dim>         &grid,
+             const std::vector<FluidBody<dim>> &bodies,
+             const unsigned int                 per_direction);
+
+    void
+    for_each(const std::function<void(const Piece &)> &visit) const;
+
+    /// Content of the neighbour across face 2 d (below) or 2 d + 1 (above);
+    /// obstacle beyond the domain.
+    int
+    neighbor(const Index &index, const unsigned int face) const;
+
+    /// Places that cut the domain in a direction, both ends included [m].
+    const std::vector<double> &
+    lines(const unsigned int direction) const
+    {
+      return cuts[direction];
+    }
+
+  private:
+    void
+    make_lines(const GridParameters<dim>         &grid,
+               const std::vector<FluidBody<dim>> &bodies,
+               const unsigned int                 per_direction);
+
+    std::size_t
+    position(const Index &index) const;
+
+    std::array<std::vector<double>, dim> cuts;
+    std::vector<int>                     contents;
+  };
+} // namespace seiche
+
+#endif

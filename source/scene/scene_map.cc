@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/scene/background_grid.h>
+#include <seiche/scene/scene_map.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seiche
+{
+  namespace
+  {
+    /// Ascending, without those that coincide; all of [lower, upper].
+    std::vector<double>
+    distinct(std::vector<double> places, const double lower, const double upper)
+    {
+      const double tolerance = 1e-9 * (upper - lower);
+      places.push_back(upper);
+      std::sort(places.begin(), places.end());
+      std::vector<double> result = {lower};
+      for (const double place : places)
+        if (place > result.back() + tolerance && place <= upper)
+          result.push_back(place);
+      result.back() = upper;
+      return result;
+    }
+
+
+
+    /// Every interval cut into equal parts not longer than @p largest.
+    std::vector<double>
+    subdivided(const std::vector<double> &places, const double largest)
+    {
+      std::vector<double> result = {places.front()};
+      for (std::size_t i = 0; i + 1 < places.size(); ++i)
+        {
+          const double       length = places[i + 1] - places[i];
+          const unsigned int n =
+            std::max(1., std::ceil(length / largest - 1e-6));
+          for (unsigned int k = 1; k <= n; ++k)
+            result.push_back(places[i] + length * k / n);
+        }
+      return result;
+    }
+
+
+
+    template <int dim>
+    int
+    content_at(const dealii::Point<dim>          &x,
+               const GridParameters<dim>         &grid,
+               const std::vector<FluidBody<dim>> &bodies)
+    {
+      for (const auto &box : grid.obstacles)
+        if (dealii::BoundingBox<dim>({box.lower_corner, box.upper_corner})
+              .point_inside(x))
+          return SceneMap<dim>::obstacle;
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        if (bodies[b].region->bounding_box().point_inside(x) &&
+            bodies[b].region->level(x) < 0.)
+          return static_cast<int>(b);
+      return SceneMap<dim>::air;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  SceneMap<dim>::SceneMap(const GridParameters<dim>         &grid,
+                          const std::vector<FluidBody<dim>> &bodies,
+                          const unsigned int                 per_direction)
+  {
+    make_lines(grid, bodies, per_direction);
+    std::size_t n = 1;
+    for (const auto &line : cuts)
+      n *= line.size() - 1;
+    contents.assign(n, air);
+    for_each([&](const Piece &piece) {
+      contents[position(piece.index)] = content_at(piece.centre, grid, bodies);
+    });
+  }
+
+
+
+  template <int dim>
+  void
+  SceneMap<dim>::make_lines(const GridParameters<dim>         &grid,
+                            const std::vector<FluidBody<dim>> &bodies,
+                            const unsigned int                 per_direction)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double lower = grid.lower_corner[d], upper = grid.upper_corner[d];
+        std::vector<double> places;
+        for (const auto &obstacle : grid.obstacles)
+          places.insert(places.end(),
+                        {obstacle.lower_corner[d], obstacle.upper_corner[d]});
+        for (const GridSegment &segment : make_segments(grid, d))
+          places.push_back(segment.end);
+        for (const auto &body : bodies)
+          {
+            const auto box = body.region->bounding_box();
+            places.insert(places.end(),
+                          {box.lower_bound(d), box.upper_bound(d)});
+          }
+        cuts[d] = distinct(places, lower, upper);
+        if (cuts[d].size() > per_direction)
+          cuts[d] = {lower, upper}; // hundreds of obstacles: an estimate
+        cuts[d] = subdivided(cuts[d], (upper - lower) / per_direction);
+      }
+  }
+
+
+
+  template <int dim>
+  std::size_t
+  SceneMap<dim>::position(const Index &index) const
+  {
+    std::size_t result = 0;
+    for (unsigned int d = dim; d-- > 0;)
+      result = result * (cuts[d].size() - 1) + index[d];
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  SceneMap<dim>::for_each(const std::function<void(const Piece &)> &visit) const
+  {
+    for (std::size_t i = 0; i < contents.size(); ++i)
+      {
+        Piece       piece;
+        std::size_t rest = i;
+        piece.volume     = 1.;
+        piece.content    = contents[i];
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const std::size_t n = cuts[d].size() - 1;
+            piece.index[d]      = rest % n;
+            rest /= n;
+            const double begin = cuts[d][piece.index[d]],
+                         end   = cuts[d][piece.index[d] + 1];
+            piece.centre[d]    = 0.5 * (begin + end);
+            piece.extent[d]    = end - begin;
+            piece.volume *= piece.extent[d];
+          }
+        visit(piece);
+      }
+  }
+
+
+
+  template <int dim>
+  int
+  SceneMap<dim>::neighbor(const Index &index, const unsigned int face) const
+  {
+    const unsigned int d     = face / 2;
+    Index              other = index;
+    if (face % 2 == 0 ? index[d] == 0 : index[d] + 2 == cuts[d].size())
+      return obstacle;
+    other[d] += (face % 2 == 0 ? -1 : 1);
+    return contents[position(other)];
+  }
+
+
+
+  template class SceneMap<2>;
+  template class SceneMap<3>;
+} // namespace seiche

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/points/body_pieces.h>
+#include <seiche/postprocess/output_parameters.h>
+#include <seiche/simulation/cost_model.h>
+#include <seiche/simulation/scene_plan.h>
+#include <seiche/utilities/readable.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double a_month = 30. * 86400.; // [s]
+
+    template <int dim>
+    constexpr unsigned int pieces_per_direction = (dim == 2 ? 128 : 32);
+
+    double
+    physical_memory()
+    {
+      return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+             static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    }
+
+    /// Free space where the folder is or will be [bytes].
+    double
+    free_space(const std::string &directory)
+    {
+      auto path = std::filesystem::absolute(directory);
+      while (!std::filesystem::exists(path) && path.has_relative_path())
+        path = path.parent_path();
+      std::error_code error;
+      const auto      space = std::filesystem::space(path, error);
+      return error ? std::numeric_limits<double>::infinity() :
+                     static_cast<double>(space.available);
+    }
+
+    /// Largest speed of the bodies at the start [m/s].
+    template <int dim>
+    double
+    initial_speed(const std::vector<FluidBody<dim>> &bodies,
+                  const SceneMap<dim>               &map)
+    {
+      double result = 0.;
+      map.for_each([&](const auto &piece) {
+        if (piece.content < 0)
+          return;
+        const Expression<dim> &velocity = *bodies[piece.content].velocity;
+        result                          = std::max(result,
+                          velocity.vector_value(piece.centre, /*t=*/0.).norm());
+      });
+      return result;
+    }
+
+    /// Speed of the fluid if it had all the potential energy that it loses on
+    /// its way to the lowest places of the domain: sqrt(g (H - H')) of a column
+    /// that becomes a pool [m/s].
+    template <int dim>
+    double
+    speed_of_fall(const BodyForce<dim> &force, const SceneMap<dim> &map)
+    {
+      double volume = 0., energy = 0.;
+      struct Place
+      {
+        double potential, volume;
+      };
+      std::vector<Place> places;
+      map.for_each([&](const auto &piece) {
+        if (piece.content == SceneMap<dim>::obstacle)
+          return;
+        const Tensor<1, dim> b         = force.value(piece.centre, /*t=*/0.);
+        const double         potential = -(b * (piece.centre - Point<dim>()));
+        places.push_back({potential, piece.volume});
+        if (piece.content >= 0)
+          {
+            volume += piece.volume;
+            energy += potential * piece.volume;
+          }
+      });
+      std::sort(places.begin(), places.end(), [](const auto &a, const auto &b) {
+        return a.potential < b.potential;
+      });
+      double left = volume;
+      for (const Place &place : places)
+        {
+          const double filled = std::min(left, place.volume);
+          energy -= filled * place.potential;
+          left -= filled;
+        }
+      return volume > 0. ? std::sqrt(2. * std::max(energy, 0.) / volume) : 0.;
+    }
+  } // namespace
+
+  template <int dim>
+  ScenePlan<dim>::ScenePlan(const Scene<dim>                  &scene,
+                            const std::vector<FluidBody<dim>> &bodies)
+    : smallest(smallest_cell(scene.grid))
+  {
+    const SceneMap<dim> map(scene.grid, bodies, pieces_per_direction<dim>);
+    mesh = estimate_mesh(scene.grid, map);
+
+    const double per_cell =
+      Utilities::fixed_power<dim>(double(scene.seeding.per_direction));
+    points = mesh.full * per_cell;
+
+    std::vector<double> volumes(bodies.size(), 0.);
+    double              volume = 0.;
+    map.for_each([&](const auto &piece) {
+      if (piece.content < 0)
+        return;
+      volumes[piece.content] += piece.volume;
+      volume += piece.volume;
+    });
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      {
+        names_of_bodies.push_back(bodies[b].name);
+        points_of_bodies.push_back(volume > 0. ? points * volumes[b] / volume :
+                                                 0.);
+      }
+    count_steps(scene, bodies, map);
+
+    const CostModel cost(dim,
+                         scene.formulation.degree,
+                         scene.formulation.is_mixed());
+    seconds = cost.start(mesh.cells) + steps * cost.step(mesh.occupied, points);
+    memory  = cost.memory(mesh.cells, mesh.occupied, points);
+    point_memory =
+      cost.memory(0., 0., points) - cost.memory(0., 0., /*points=*/0.);
+    count_files(scene);
+  }
+
+  template <int dim>
+  void
+  ScenePlan<dim>::count_steps(const Scene<dim>                  &scene,
+                              const std::vector<FluidBody<dim>> &bodies,
+                              const SceneMap<dim>               &map)
+  {
+    const TimeStepParameters &time = scene.time;
+    steps           = std::ceil(std::max(0., time.end_time / time.step - 1e-9));
+    steps_are_least = time.is_controlled();
+    if (time.control != "CFL")
+      return;
+    const BodyForce<dim> force(scene.body_force, scene.input);
+    const double         speed =
+      std::max(initial_speed(bodies, map), speed_of_fall(force, map));
+    steps =
+      std::max(steps,
+               std::ceil(time.end_time * speed / (time.cfl * smallest.edge)));
+  }
+
+  template <int dim>
+  void
+  ScenePlan<dim>::count_files(const Scene<dim> &scene)
+  {
+    const CostModel         cost(dim,
+                         scene.formulation.degree,
+                         scene.formulation.is_mixed());
+    const OutputParameters &output = scene.postprocessors.output();
+    if (output.interval > 0.)
+      frames =
+        std::min(1. + std::ceil(scene.time.end_time / output.interval - 1e-9),
+                 1. + steps);
+    double frame = 0.;
+    if (output.grid)
+      frame += cost.grid_frame(mesh.occupied);
+    if (output.points)
+      frame += cost.point_frame(points);
+    if (output.surface)
+      frame += cost.surface_frame(mesh.surface);
+    if (output.series)
+      frame += cost.full_points(points);
+    const bool has_checkpoints = scene.checkpoint.every_steps > 0 ||
+                                 (scene.checkpoint.every_wall_time > 0. &&
+                                  seconds > scene.checkpoint.every_wall_time);
+    constexpr double kept = 2., row = 500., // of the statistics [bytes]
+      texts = 35e3;
+    files   = texts + frames * frame + row * steps +
+            (has_checkpoints ? kept * cost.full_points(points) : 0.);
+    seconds += cost.output(files);
+  }
+
+  template <int dim>
+  void
+  ScenePlan<dim>::require_possible(const InputFile   &input,
+                                   const unsigned int ranks) const
+  {
+    for (std::size_t b = 0; b < points_of_bodies.size(); ++b)
+      input.require(points_of_bodies[b] >= BodyPieces<dim>::light,
+                    "Fluid body " + names_of_bodies[b] + "/Shape",
+                    "the body holds no material point: it is smaller than "
+                    "the spacing of the points, or it lies inside an "
+                    "obstacle or an earlier body.");
+    const double available = physical_memory() * ranks;
+    const bool   by_points = 2. * point_memory > memory;
+    input.require(memory < available,
+                  by_points ? "Points/Per cell and direction" :
+                              "Grid/Cell size",
+                  fmt::format("about {} cells, {} of them with fluid, and {} "
+                              "points need {} of memory; there are {}. Choose "
+                              "{}larger cells or smaller levels of "
+                              "refinement.",
+                              readable_count(mesh.cells),
+                              readable_count(mesh.occupied),
+                              readable_count(points),
+                              readable_size(memory),
+                              readable_size(available),
+                              by_points ? "fewer points, " : ""));
+  }
+
+  template <int dim>
+  std::string
+  ScenePlan<dim>::size_text() const
+  {
+    return fmt::format("{}D, {} cells, about {} of them with fluid, about {} "
+                       "points, {} {} steps",
+                       dim,
+                       readable_count(mesh.cells),
+                       readable_count(mesh.occupied),
+                       readable_count(points),
+                       steps_are_least ? "at least" : "about",
+                       readable_count(steps));
+  }
+
+  template <int dim>
+  std::string
+  ScenePlan<dim>::cost_text() const
+  {
+    return fmt::format("  smallest edge {:.4g} m in {}, between {:.6g} and "
+                       "{:.6g} m, by {}\n"
+                       "  {} {} of processor time, {} of memory, {} of files "
+                       "({} frames)\n",
+                       smallest.edge,
+                       "xyz"[smallest.direction],
+                       smallest.begin,
+                       smallest.end,
+                       smallest.cause,
+                       steps_are_least ? "at least" : "about",
+                       readable_duration(seconds),
+                       readable_size(memory),
+                       readable_size(files),
+                       readable_count(frames));
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  ScenePlan<dim>::doubts(const std::string &directory) const
+  {
+    std::vector<std::string> result;
+    if (seconds > a_month)
+      result.push_back(fmt::format("the run would take {} of processor time: "
+                                   "choose larger cells or steps, or an "
+                                   "earlier end",
+                                   readable_duration(seconds)));
+    const double space = free_space(directory);
+    if (files > space)
+      result.push_back(fmt::format("the run would write {}, but only {} are "
+                                   "free: make Output/Interval longer or set "
+                                   "Output/Points = false",
+                                   readable_size(files),
+                                   readable_size(space)));
+    return result;
+  }
+
+  template class ScenePlan<2>;
+  template class ScenePlan<3>;
+} // namespace seiche

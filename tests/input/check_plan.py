@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Does --validate foretell what a run needs, fast, and refuse what cannot be?
+
+sizes: runs shipped scenes for a while; cells, points, steps, memory, files and
+processor time must be those of the plan within a factor of two. limits: grids
+and clouds of 10^8, too many steps, full disks, years. picture: the SVG.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PRM = ROOT / "prm"
+SECONDS = {"s": 1., "min": 60., "h": 3600., "days": 86400., "years": 3.156e7}
+BYTES = {"B": 1., "kB": 1e3, "MB": 1e6, "GB": 1e9, "TB": 1e12}
+
+SCENES = [  # 2D and 3D, both forms, degree 2, an adaptive mesh, frames
+    ("benchmarks/dam_break_2d/dam_break_2d.prm", "Time/End time = 0.5"),
+    ("verification/sloshing_level.prm", "Time/End time = 3"),
+    ("verification/elliptic_drop.prm", "Formulation/Element degree = 2",
+     "Time/End time = 0.05"),
+    ("verification/compressible_column.prm", "Time/End time = 0.2"),
+    ("verification/standing_wave_small_3d.prm", "Time/End time = 0.3"),
+    ("benchmarks/marin_box/marin_box.prm", "Time/End time = 0.05"),
+]
+
+BOX = """set Dimension = 3
+subsection Grid
+  set Lower corner = 0, 0, 0
+  set Upper corner = 2, 1, 1
+  set Cell size = 0.1
+end
+subsection Fluid
+  set Density = 1000
+  set Dynamic viscosity = 0.001
+  set Bulk modulus = infinite
+end
+subsection Fluid body column
+  set Lower corner = 0, 0, 0
+  set Upper corner = 1, 1, 0.5
+end
+subsection Body force
+  set Acceleration = 0; 0; -9.81
+end
+subsection Time
+  set End time = 1
+  set Step = 0.01
+end
+"""
+
+
+def run(program, scene, overrides, folder, *options):
+    """Result, processor time [s] and memory [bytes] of the call."""
+    command = [program, str(scene), "--output", str(folder / "run"), *options]
+    for text in overrides:
+        command += ["--set", text]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          text=True, cwd=folder) as process:
+        out, err = process.communicate(timeout=500)
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return process.returncode, out, err, usage
+
+
+def plan_of(text):
+    """The figures of a plan."""
+    found = re.search(
+        r"(\S+) cells, about (\S+) of them with fluid, about (\S+) points, "
+        r"(?:at least|about) (\S+) steps", text)
+    cost = re.search(
+        r"(?:at least|about) (\S+) (\S+) of processor time, (\S+) (\S+) of memory, "
+        r"(\S+) (\S+) of files", text)
+    cells, occupied, points, steps = (float(x) for x in found.groups())
+    return {"cells": cells, "occupied": occupied, "points": points, "steps": steps,
+            "seconds": float(cost[1]) * SECONDS[cost[2]],
+            "memory": float(cost[3]) * BYTES[cost[4]],
+            "files": float(cost[5]) * BYTES[cost[6]]}
+
+
+def size_of(folder):
+    return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+
+
+def check_sizes(program, problems):
+    sums = {"foretold": 0., "taken": 0.}
+    for name, *overrides in SCENES:
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            code, out, err, _ = run(program, PRM / name, overrides, folder,
+                                    "--validate")
+            if code:
+                problems.append(f"{name}: not valid: {err}")
+                continue
+            plan = plan_of(out)
+            code, _, err, _ = run(program, PRM / name, overrides, folder)
+            if code:
+                problems.append(f"{name}: the run failed: {err}")
+                continue
+            real = json.loads((folder / "run/summary.json").read_text())
+            real = {"cells": real["cells"], "occupied": real["occupied_cells_max"],
+                    "points": real["points"], "steps": real["steps"],
+                    "seconds": real["cpu_seconds"],
+                    "memory": real["peak_memory_mib"] * 2**20,
+                    "files": size_of(folder / "run")}
+        sums["foretold"] += plan["seconds"]
+        sums["taken"] += real["seconds"]
+        for key, value in plan.items():
+            # the cores of a test may be shared: their sum is what is judged
+            limit = 4. if key == "seconds" else 2.
+            if not 1. / limit <= value / real[key] <= limit:
+                problems.append(f"{name}: {key} {value:g} foretold, {real[key]:g} "
+                                "taken")
+        print(name, " ".join(f"{key} {value / real[key]:.2f}"
+                             for key, value in plan.items()))
+    share = sums["foretold"] / sums["taken"]
+    print(f"processor time foretold over taken, all scenes: {share:.2f}")
+    if not 0.5 <= share <= 2.:
+        problems.append(f"processor time {share:.2f} of what was taken")
+
+
+def expect(problems, program, folder, overrides, code, *texts, body=BOX):
+    """Call --validate; problems if it does not end as expected."""
+    scene = folder / "scene.prm"
+    scene.write_text(body)
+    got, out, err, usage = run(program, scene, overrides, folder, "--validate")
+    if got != code and code is not None:
+        problems.append(f"{overrides}: exit code {got}, not {code}: {out}{err}")
+    for text in texts:
+        if text not in out + err:
+            problems.append(f"{overrides}: the answer lacks {text!r}: {out}{err}")
+    return usage
+
+
+def check_limits(program, problems):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        # 5 * 10^8 cells with 10^10 points fit nowhere; 10^8 of either may
+        huge = ["Grid/Cell size = 0.0016"]
+        for code, overrides in (
+                (2, huge),
+                (None, ["Grid/Cell size = 0.00271",
+                        "Fluid body column/Upper corner = 0.1, 0.1, 0.1"]),
+                (None, ["Grid/Cell size = 0.02",
+                        "Points/Per cell and direction = 12"]),
+                (None, ["Grid/Cells x = 2000001", "Grid/Cells y = 7",
+                        "Grid/Cells z = 7"])):
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            usage = expect(problems, program, folder, overrides, code, "memory")
+            seconds = usage.ru_utime + usage.ru_stime - (before.ru_utime +
+                                                         before.ru_stime)
+            print(f"{overrides[0]}: {seconds:.2f} s, {usage.ru_maxrss / 1e3:.0f} MB")
+            if seconds > 2. or usage.ru_maxrss > 300e3:
+                problems.append(f"{overrides}: {seconds} s, {usage.ru_maxrss} kB")
+        expect(problems, program, folder, huge, 2, "larger cells")
+        expect(problems, program, folder, ["Time/End time = 1e300"], 2, "2^32 steps")
+        expect(problems, program, folder, ["Time/End time = 3e7"], 0,
+               "years of processor time")
+        expect(problems, program, folder,
+               ["Time/End time = 1000", "Output/Interval = 0.001",
+                "Grid/Cell size = 0.03", "Output/Point series = true"], 0,
+               "free: make Output/Interval longer")
+        expect(problems, program, folder,
+               ["Fluid body column/Upper corner = 1e-4, 1e-4, 1e-4"], 2,
+               "no material point")
+        expect(problems, program, folder, [], 0,
+               "0.098 m in x, between 0 and 0.49 m, by Grid/Cell size, "
+               "Obstacle post/Lower corner",
+               body=BOX + "subsection Obstacle post\n"
+               "  set Lower corner = 0.49, 0.4, 0\n"
+               "  set Upper corner = 0.6, 0.6, 1\nend\n")
+
+
+def check_picture(program, problems):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        for name, texts in (
+                ("benchmarks/marin_box/marin_box.prm",
+                 ["x [m]", "y [m]", "z [m]", "box", "P1", "H1", "slip", "open"]),
+                ("verification/wave_maker.prm",
+                 ["x [m]", "y [m]", "near", "far", "moving wall"]),
+                ("verification/elliptic_drop.prm", ["x [m]"])):
+            code, out, err, _ = run(program, PRM / name, [], folder, "--validate")
+            file = folder / "run.svg"
+            if code or not file.is_file() or str(file) not in out:
+                problems.append(f"{name}: no picture: {out}{err}")
+                continue
+            root = xml.etree.ElementTree.parse(file).getroot()
+            space = "{http://www.w3.org/2000/svg}"
+            found = [element.text for element in root.iter(space + "text")]
+            problems += [f"{name}: the picture lacks {text!r}" for text in texts
+                         if text not in found]
+            water = [element.get("d") for element in root.iter(space + "path")]
+            if not any(len(path) > 100 for path in water):
+                problems.append(f"{name}: no water in the picture")
+            if file.stat().st_size > 3e6:
+                problems.append(f"{name}: {file.stat().st_size} bytes")
+            file.unlink()
+        # the answer comes even where no picture can be written
+        scene = folder / "scene.prm"
+        scene.write_text(BOX)
+        (folder / "run.svg").mkdir()
+        code, out, err, _ = run(program, scene, [], folder, "--validate")
+        if code or "is valid" not in out or "no picture" not in err:
+            problems.append(f"a folder run.svg: {code} {out}{err}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("group", choices=["sizes", "limits", "picture"])
+    options = parser.parse_args()
+    problems = []
+    {"sizes": check_sizes, "limits": check_limits,
+     "picture": check_picture}[options.group](str(options.program.resolve()), problems)
+    for problem in problems:
+        print("FAILED:", problem)
+    return 1 if problems else 0
+
+
+sys.exit(main())
