@@ -87,7 +87,8 @@ namespace seiche
                    "checkpoint");
     app.add_flag("--validate",
                  result.validate,
-                 "Read and check everything, compute nothing");
+                 "Check everything, foretell time and memory, draw the scene "
+                 "(DIR.svg); compute nothing");
     app.add_flag("--print-parameters",
                  result.print_parameters,
                  "Describe all entries of parameter files (markdown)");

@@ -149,11 +149,12 @@ namespace seiche
     const TimeStepParameters &time = scene.time;
     steps           = std::ceil(std::max(0., time.end_time / time.step - 1e-9));
     steps_are_least = time.is_controlled();
+    // of every scene: it shows velocities that are no numbers
+    const double start = initial_speed(bodies, map);
     if (time.control != "CFL")
       return;
     const BodyForce<dim> force(scene.body_force, scene.input);
-    const double         speed =
-      std::max(initial_speed(bodies, map), speed_of_fall(force, map));
+    const double         speed = std::max(start, speed_of_fall(force, map));
     steps =
       std::max(steps,
                std::ceil(time.end_time * speed / (time.cfl * smallest.edge)));
