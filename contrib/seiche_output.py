@@ -11,9 +11,11 @@
 """
 
 import base64
+import collections
 import csv
 import json
 import os
+import re
 import xml.etree.ElementTree as ElementTree
 import zlib
 
@@ -113,7 +115,8 @@ class Run:
         return names
 
     def frames(self, kind):
-        """[(time in s, file)] of kind "points", "grid" or "surface", from the PVD file."""
+        """[(time in s, file)] of kind "points", "grid", "surface" or "walls", from the
+        PVD file."""
         if not os.path.isfile(self._path(kind + ".pvd")):
             return []
         root = ElementTree.parse(self._path(kind + ".pvd")).getroot()
@@ -130,11 +133,59 @@ class Run:
                 return path
         return None
 
+    def walls_at(self, time):
+        """The Walls of a time [s]: those of the last frame until then; without such
+        frames the entries of the start, or None."""
+        frames = self.frames("walls")
+        past = [path for at, path in frames if at <= time + 1e-9 * max(1.0, abs(time))]
+        if past:
+            return Walls.of_frame(read_frame(past[-1]), self.dim)
+        lower, upper = self.numbers("Grid/Lower corner"), self.numbers("Grid/Upper corner")
+        if not lower or len(lower) != len(upper):
+            return None
+        names = ["Obstacle %s/%%s corner" % name for name in self.instances("Obstacle")]
+        corners = [[self.numbers(n % "Lower"), self.numbers(n % "Upper")] for n in names]
+        return Walls(numpy.array(lower), numpy.array(upper), numpy.array(corners), frozenset())
+
+    @property
+    def dim(self):
+        return int(self.parameter("Dimension", "2") or 2)
+
+
+class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides")):
+    """Corners of the box [dim] and of the obstacles [n, 2, dim] [m]; open sides as
+    (direction, 0 lower or 1 upper)."""
+
+    @staticmethod
+    def of_frame(frame, dim):
+        parts = frame["part [-]"].astype(int)
+        box = [
+            [frame["points"][parts == p, :dim].min(axis=0), frame["points"][parts == p, :dim].max(axis=0)]
+            for p in range(parts.max() + 1)
+        ]
+        lower, upper = box[0]
+        sides = set()
+        for cell in frame["cells"][frame["open [-]"][frame["cells"][:, 0]] > 0.5]:
+            corners = frame["points"][cell, :dim]
+            d = int(numpy.ptp(corners, axis=0).argmin())
+            sides.add((d, int(abs(corners[0, d] - upper[d]) < abs(corners[0, d] - lower[d]))))
+        obstacles = numpy.array(box[1:], float).reshape(-1, 2, dim)
+        return Walls(lower.astype(float), upper.astype(float), obstacles, frozenset(sides))
+
+
+def field(frame, name):
+    """A field by the first word of its name (units may follow), or None."""
+    for key, values in frame.items():
+        if re.split(r"[ \[(]", key)[0] == name:
+            return values
+    return None
+
 
 def read_frame(path):
     """Arrays of a .vtu file, or of all pieces of a .pvtu file, by name.
 
-    "points" holds the positions [n, 3]; fields carry the names of the file.
+    "points" holds the positions [n, 3], "cells" the numbers of the corners of each
+    cell in VTK's order; fields carry the names of the file.
     """
     root = ElementTree.parse(path).getroot()
     if root.get("type", "").startswith("P"):
@@ -144,6 +195,10 @@ def read_frame(path):
             for piece in root.iter("Piece")
         ]
         pieces = [piece for piece in pieces if len(piece["points"])] or pieces[:1]
+        first = 0
+        for piece in pieces:
+            piece["cells"] = piece["cells"] + first
+            first += len(piece["points"])
         return {
             name: numpy.concatenate([piece[name] for piece in pieces])
             for name in pieces[0]
@@ -152,12 +207,19 @@ def read_frame(path):
     order = "<" if root.get("byte_order", "LittleEndian") == "LittleEndian" else ">"
     header = order + TYPES[root.get("header_type", "UInt32")]
     compressed = root.get("compressor") is not None
-    result = {"points": numpy.zeros((0, 3))}
+    result = {"points": numpy.zeros((0, 3)), "cells": numpy.zeros((0, 1), int)}
     for piece in root.iter("Piece"):
-        for group in ("Points", "PointData"):
+        for group in ("Points", "PointData", "Cells"):
             element = piece.find(group)
             for array in element.iter("DataArray") if element is not None else ():
+                if group == "Cells" and array.get("Name") != "connectivity":
+                    continue
                 values = _decode(array, order, header, compressed)
+                if group == "Cells":
+                    # the writer uses one kind of cell in a file
+                    n_cells = max(1, int(piece.get("NumberOfCells")))
+                    result["cells"] = values.astype(int).reshape(n_cells, -1)
+                    continue
                 components = int(array.get("NumberOfComponents", "1"))
                 if components > 1:
                     values = values.reshape(-1, components)

@@ -13,7 +13,7 @@ import numpy
 from matplotlib.collections import EllipseCollection
 
 from seiche_output import Run, read_frame
-from seiche_snapshots import field
+from seiche_output import field
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 RECIPE, OURS = "founding paper's recipe", "this code"

@@ -11,7 +11,8 @@ from matplotlib.colors import LinearSegmentedColormap
 from seiche_paper import COLOUR, OURS, RECIPE, ROOT, colour_bar, save, say
 from seiche_paper_numbers import smoothed
 from seiche_sections import columns_of, depth, draw_section, near_plane
-from seiche_snapshots import domain, draw_obstacles, field, obstacles
+from seiche_output import field
+from seiche_stage import rectangle
 from seiche_views import View
 
 STUDY = "obstacle_3d"
@@ -59,8 +60,8 @@ def evolution(runs, output, numbers):
                 say(axes, runs[name].ending())
                 axes.set_axis_off()
                 continue
-            lower, upper = domain(runs[name].run, frame["points"])
-            view = view or View(lower, [SHOWN, *upper[1:]], EYE, 800, obstacles(runs[name].run))
+            lower, upper, obstacles, _ = runs[name].run.walls_at(0)
+            view = view or View(lower, [SHOWN, *upper[1:]], EYE, 800, obstacles)
             edges = columns_of(lower, upper, frame)
             height = depths_at(frame["points"], depth(frame, edges), edges)
             colours = WATER(numpy.clip(height / DEEPEST, 0, 1))[:, :3]
@@ -85,7 +86,9 @@ def section(runs, output, numbers):
                 say(axes, runs[name].ending())
                 continue
             draw_section(axes, *near_plane(frame, SYMMETRY), FASTEST, 0.03, size=9)
-            draw_obstacles(axes, runs[name].run, 0, 2, (1, SYMMETRY))
+            for low, high in runs[name].run.walls_at(0).obstacles:
+                if low[1] <= SYMMETRY <= high[1]:
+                    rectangle(axes, low[[0, 2]], high[[0, 2]], fc="0.6", ec="k", lw=0.6)
     for axes in all_axes[-1]:
         axes.set_xlabel("x [m]")
     for axes in all_axes[:, 0]:

@@ -7,7 +7,7 @@ import numpy
 from seiche_paper import (
     COLOUR, OURS, RECIPE, colour_bar, draw_points, label_edges, reference, save)
 from seiche_paper_numbers import smoothed
-from seiche_snapshots import field
+from seiche_output import field
 
 STUDY = "rotating_patch"
 SMOOTHING = 0.05  # [s] the paper does not say how it smooths

@@ -2,38 +2,26 @@
 """Depth of the water from above and velocity in an upright section of a
 three-dimensional run, for pictures. A picture holds all frames that it gets."""
 
-import matplotlib
-
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy
 
-from seiche_snapshots import domain, draw_obstacles, field
+from seiche_output import field
+from seiche_simplices import clip_triangles, fans
+from seiche_stage import COLOURS, SOLID, rectangle
+from seiche_water import deposit, lattice_cells
 
 WIDTH = 12.0  # of a picture [inches]
 ARROWS = 45  # along a section
-
-
-def shares(places, sizes, edges):
-    """Which two columns the interval of each point lies in, and how much of it
-    in the first. Columns are at least as wide as the intervals."""
-    width = edges[1] - edges[0]
-    first = numpy.floor((places - 0.5 * sizes - edges[0]) / width).astype(int)
-    share = (edges[0] + (first + 1) * width - (places - 0.5 * sizes)) / sizes
-    last = len(edges) - 2
-    return (first.clip(0, last), (first + 1).clip(0, last)), share.clip(0.0, 1.0)
+FINEST = 500  # columns along a picture
+BESIDE = 0.005  # [cells] from an obstacle's face, more than seiche_water.NEAR_SIDE
+SAMPLES = 3  # heights a cell at which the depth's level is read
 
 
 def depth(frame, edges):
-    """Height [m] that the water of each column would fill; edges of the columns
-    in x and y [m]. Points are cubes: taken as dots they would beat with the
-    columns."""
+    """Height [m] that the points of each column would fill; edges of the columns
+    in x and y [m]."""
     size = 2.0 * field(frame, "radius")
-    (i, in_x), (j, in_y) = (shares(frame["points"][:, d], size, edges[d]) for d in (0, 1))
-    volume = numpy.zeros([len(e) - 1 for e in edges])
-    for a, along in enumerate((in_x, 1.0 - in_x)):
-        for b, across in enumerate((in_y, 1.0 - in_y)):
-            numpy.add.at(volume, (i[a], j[b]), size**3 * along * across)
+    volume = deposit(frame["points"][:, :2], size, edges, size**3)
     return volume / numpy.outer(numpy.diff(edges[0]), numpy.diff(edges[1]))
 
 
@@ -47,20 +35,43 @@ def columns_of(lower, upper, frame):
     ]
 
 
+def lines_of(stage, water, width, d):
+    """Places [m] at which a picture is computed in direction d, about a width apart;
+    on both sides of every face of an obstacle, so that what is drawn ends there."""
+    low, high = stage.low[d], stage.high[d]
+    lines = numpy.linspace(low, high, max(2, int(numpy.ceil((high - low) / width))) + 1)
+    faces = stage.run.walls_at(0).obstacles[:, :, d].ravel()
+    both = numpy.concatenate([faces - BESIDE * water.size, faces + BESIDE * water.size])
+    return numpy.unique(numpy.concatenate([lines, both[(both > low) & (both < high)]]))
+
+
+def depth_of_water(water, places, low, high):
+    """Height [m] of water over each place [n, 2]: how much of the upright line between
+    two heights [m] lies inside the level."""
+    n = max(2, int(numpy.ceil((high - low) / water.size * SAMPLES)))
+    step = (high - low) / n
+    result = numpy.zeros(len(places))
+    for k in range(n):
+        height = numpy.full((len(places), 1), low + (k + 0.5) * step)
+        level = water.sample(numpy.hstack([places, height]))[0] * water.size
+        result += step * numpy.clip(0.5 - level / step, 0, 1)
+    return result
+
+
 def panels(number, lower, upper, directions):
     """Figure and axes of equal scale, so many under and beside each other that
     they can be read."""
     ratio = (upper[directions[1]] - lower[directions[1]]) / (
         upper[directions[0]] - lower[directions[0]]
     )
-    across = 1 if ratio < 0.3 or number == 1 else 2
+    across = 1 if ratio < 0.2 or number == 1 else 2
     rows = -(-number // across)
     figure, axes = plt.subplots(
         rows,
         across,
-        figsize=(WIDTH, rows * (WIDTH / across * ratio + 0.5) + 0.4),
+        figsize=(WIDTH, rows * ((WIDTH - 1.3) / across * ratio + 0.5) + 0.4),
         squeeze=False,
-        layout="constrained",
+        layout="compressed",
     )
     for unused in axes.flat[number:]:
         unused.set_visible(False)
@@ -69,24 +80,40 @@ def panels(number, lower, upper, directions):
         used.set_ylim(lower[directions[1]], upper[directions[1]])
         used.set_aspect("equal")
         used.set(xlabel="xyz"[directions[0]] + " [m]", ylabel="xyz"[directions[1]] + " [m]")
+        used.label_outer()
     return figure, axes.flat[:number]
 
 
-def depth_picture(run, frames, filename):
-    """Depth from above, [(time, frame)]."""
-    lower, upper = domain(run, frames[0][1]["points"])
-    edges = columns_of(lower, upper, frames[0][1])
-    maps = [depth(frame, edges) for _, frame in frames]
-    highest = max(numpy.percentile(values[values > 0], 99.5) if values.any() else 0 for values in maps)
+def depth_picture(stage, frames, filename):
+    """Depth from above of Frames."""
+    lower, upper = stage.box
+    width = max(frames[0].water.size / 2, (upper - lower)[:2].max() / FINEST)
+    lines = [lines_of(stage, frames[0].water, width, d) for d in (0, 1)]
+    places = numpy.stack(numpy.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 2)
+    maps = [depth_of_water(f.water, places, lower[2], stage.high[2]) for f in frames]
+    highest = max(numpy.percentile(m[m > 0], 99.5) if m.any() else 0 for m in maps)
+    corners, numbers = lattice_cells(lines, [len(line) - 1 for line in lines])
     figure, all_axes = panels(len(frames), lower, upper, (0, 1))
-    for axes, (time, _), values in zip(all_axes, frames, maps):
-        shown = numpy.ma.masked_equal(values.T, 0.0)
-        image = axes.pcolormesh(*edges, shown, cmap="Blues", vmin=0, vmax=highest, rasterized=True)
-        draw_obstacles(axes, run, 0, 1)
-        axes.set_title("t = %.3g s" % time, fontsize=10)
-    figure.colorbar(image, ax=list(all_axes), label="depth [m]", shrink=0.8)
-    figure.savefig(filename, dpi=110)
+    image = plt.cm.ScalarMappable(plt.Normalize(0, max(highest, 1e-12)), "Blues")
+    for axes, frame, values in zip(all_axes, frames, maps):
+        values = values[numbers]
+        dry = 0.02 * frame.water.size - values  # the water's edge
+        filled = clip_triangles(*fans(numpy.dstack([corners, values]), dry))
+        fill(axes, filled, image)
+        for low, high in frame.walls.obstacles:
+            rectangle(axes, low[:2], high[:2], fc=SOLID, ec="#333333", lw=0.8, zorder=3)
+        axes.set_title("t = %.3f s" % frame.time, fontsize=10)
+    figure.colorbar(image, ax=list(all_axes), label="depth of the water [m]", extend="max", shrink=0.8)
+    figure.savefig(filename, dpi=130, bbox_inches="tight")
     plt.close(figure)
+
+
+def fill(axes, triangles, image):
+    """Triangles [n, 3, (x, y, value)] in the colours of a mappable."""
+    if len(triangles):
+        axes.tripcolor(*triangles[:, :, :2].reshape(-1, 2).T,
+                       numpy.arange(3 * len(triangles)).reshape(-1, 3), triangles[:, :, 2].ravel(),
+                       shading="gouraud", cmap=image.cmap, norm=image.norm, rasterized=True)
 
 
 def near_plane(frame, place):
@@ -116,22 +143,46 @@ def draw_section(axes, x, v, fastest, step, size=3):
     return image
 
 
-def section_picture(run, frames, place, filename):
-    """Speeds in the plane y = place [m]; [(time, frame)]."""
-    lower, upper = domain(run, frames[0][1]["points"])
-    cut = [(time, *near_plane(frame, place)) for time, frame in frames]
-    speeds = numpy.concatenate([numpy.linalg.norm(v, axis=1) for _, _, v in cut])
+def in_plane(places, y):
+    """Places (x, z) with a y between them [m]."""
+    return numpy.stack([places[:, 0], numpy.full(len(places), y), places[:, 1]], axis=1)
+
+
+def section_picture(stage, frames, y, filename):
+    """Speed and velocity in the plane y [m] of Frames; False if there is no water."""
+    lower, upper = stage.low, stage.high
+    width = max(frames[0].water.size / 3, (upper[0] - lower[0]) / FINEST)
+    lines = [lines_of(stage, frames[0].water, width, d) for d in (0, 2)]
+    corners, numbers = lattice_cells(lines, [len(line) - 1 for line in lines])
+    nodes = numpy.stack(numpy.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 2)
+    step = (upper[0] - lower[0]) / ARROWS
+    at_arrows = numpy.stack(numpy.meshgrid(
+        numpy.arange(lower[0] + step / 2, upper[0], step),
+        numpy.arange(lower[2] + step / 4, upper[2], step / 2), indexing="ij"), axis=-1).reshape(-1, 2)
+    cuts = []
+    for frame in frames:
+        level, speed = frame.water.sample(in_plane(nodes, y), "speed")
+        columns = numpy.dstack([corners, speed[numbers]])
+        filled = clip_triangles(*fans(columns, level[numbers]))
+        inside, velocity = frame.water.sample(in_plane(at_arrows, y), "velocity")
+        inside = inside < -0.1
+        cuts.append((filled, at_arrows[inside], velocity[inside]))
+    speeds = numpy.concatenate([filled[:, :, 2].ravel() for filled, _, _ in cuts])
     if len(speeds) == 0:
         return False
     fastest = max(float(numpy.percentile(speeds, 99)), 1e-12)
     figure, all_axes = panels(len(frames), lower, upper, (0, 2))
-    step = (upper[0] - lower[0]) / ARROWS
-    for axes, (time, x, v) in zip(all_axes, cut):
-        image = draw_section(axes, x, v, fastest, step)
-        # only those that the plane goes through
-        draw_obstacles(axes, run, 0, 2, (1, place))
-        axes.set_title("t = %.3g s, y = %.4g m" % (time, place), fontsize=10)
-    figure.colorbar(image, ax=list(all_axes), label="speed [m/s]", shrink=0.8)
-    figure.savefig(filename, dpi=110)
+    image = plt.cm.ScalarMappable(plt.Normalize(0, fastest), COLOURS["speed"])
+    for axes, frame, (filled, x, v) in zip(all_axes, frames, cuts):
+        fill(axes, filled, image)
+        if len(x):
+            axes.quiver(*x.T, v[:, 0], v[:, 2], angles="xy", scale_units="xy", color="#f2a33a",
+                        scale=fastest / (1.5 * step), width=0.0016)
+        for low, high in frame.walls.obstacles:
+            if low[1] <= y <= high[1]:  # those that the plane goes through
+                rectangle(axes, low[[0, 2]], high[[0, 2]], fc=SOLID, ec="#333333", lw=0.8, zorder=3)
+        axes.set_title("t = %.3f s, y = %.4g m" % (frame.time, y), fontsize=10)
+    figure.colorbar(image, ax=list(all_axes), label="speed [m/s]", extend="max", shrink=0.8)
+    figure.savefig(filename, dpi=130, bbox_inches="tight")
     plt.close(figure)
     return True

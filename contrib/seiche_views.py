@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Oblique views of water in three dimensions, with numpy alone: balls in a
-depth buffer, smoothed to a surface and lit, boxes that hide what is behind them."""
+"""Oblique views of water in three dimensions, with numpy alone: triangles and balls
+in a depth buffer, lit, and boxes that hide what is behind them."""
 
 import numpy
 
 FINER = 2  # pixels are averaged over squares of so many
 LIGHT = numpy.array([-0.45, 0.55, 0.70])  # right, up, towards the eye
 GROUND, WALL = numpy.array([0.94, 0.92, 0.88]), numpy.array([0.62, 0.60, 0.58])
+GLASS = numpy.array([0.955, 0.965, 0.975])  # the sides of the tank behind the water
+SAMPLES = 1 << 21  # pixels of triangles that are worked on at once
+GLOSS, SHININESS = 0.28, 36  # of the water
 
 
 def shifted(values, rows, columns):
@@ -36,8 +39,10 @@ class View:
         self.shape, self.low = (rows, width * FINER), low
         self.extent = (low[0], high[0], low[1], low[1] + rows * self.pixel)
         self.background = numpy.ones(self.shape + (3,))
-        ground, outline = self.ground()
-        self.background[ground], self.background[outline] = GROUND, 0.5
+        for direction in range(3):
+            inside, outline = self.far_side(direction)
+            self.background[inside] = GROUND if direction == 2 else GLASS
+            self.background[outline] = 0.55
         self.walls, self.wall_colours = self.boxes(boxes)
 
     @staticmethod
@@ -93,12 +98,105 @@ class View:
             colour[edge] = 0.25
         return height, colour
 
-    def ground(self):
-        """Pixels that see the bottom of the domain, and those at its outline."""
+    def far_side(self, d):
+        """Pixels that see the side of the domain across direction d that lies behind
+        the water, and those at its outline."""
         plane, eye = self.rays(), self.axes[2]
-        hit = plane + ((self.lower[2] - plane[:, :, 2]) / eye[2])[:, :, None] * eye
-        inside = numpy.minimum(hit - self.lower, self.upper - hit)[:, :, :2].min(axis=2)
-        return inside >= 0, abs(inside) < 1.5 * self.pixel
+        if abs(eye[d]) < 1e-6:
+            nothing = numpy.zeros(self.shape, bool)
+            return nothing, nothing
+        place = (self.lower if eye[d] > 0 else self.upper)[d]
+        hit = plane + ((place - plane[:, :, d]) / eye[d])[:, :, None] * eye
+        others = [e for e in range(3) if e != d]
+        inside = numpy.minimum(hit - self.lower, self.upper - hit)[:, :, others].min(axis=2)
+        return inside >= 0, abs(inside) < 0.75 * self.pixel
+
+    def triangles(self, corners, attributes):
+        """Height of the nearest triangle at each pixel (-inf: none) and the
+        attributes [n, 3, k] there [rows, columns, k]."""
+        place = self.project(corners)
+        column, row = ((place[:, :, d] - self.low[d]) / self.pixel - 0.5 for d in (0, 1))
+        first = numpy.stack([numpy.ceil(row.min(axis=1)), numpy.ceil(column.min(axis=1))], axis=1)
+        size = numpy.stack([row.max(axis=1), column.max(axis=1)], axis=1) - first
+        size = numpy.floor(size).max(axis=1).astype(int) + 1
+        height = numpy.full(self.shape[0] * self.shape[1], -numpy.inf)
+        result = numpy.zeros((len(height), attributes.shape[2]), "f4")
+        low, edge = 0, 1
+        while low < size.max(initial=0):
+            group = numpy.flatnonzero((size > low) & (size <= edge))
+            part = max(1, SAMPLES // edge**2)
+            for start in range(0, len(group), part):
+                n = group[start:start + part]
+                self._fill(n, edge, first[n], row[n], column[n], place[n, :, 2], attributes,
+                           height, result)
+            low, edge = edge, 2 * edge
+        return height.reshape(self.shape), result.reshape(self.shape + (-1,))
+
+    def _fill(self, number, edge, first, row, column, z, attributes, height, result):
+        """Puts triangles into the buffers whose boxes are at most edge pixels wide."""
+        i = first[:, 0, None, None] + numpy.arange(edge)[None, :, None]
+        j = first[:, 1, None, None] + numpy.arange(edge)[None, None, :]
+        r, c = row[:, :, None, None], column[:, :, None, None]
+        area = ((r[:, 1] - r[:, 0]) * (c[:, 2] - c[:, 0]) - (r[:, 2] - r[:, 0]) * (c[:, 1] - c[:, 0]))
+        area = numpy.where(abs(area) < 1e-12, numpy.inf, area)
+        one = ((i - r[:, 0]) * (c[:, 2] - c[:, 0]) - (r[:, 2] - r[:, 0]) * (j - c[:, 0])) / area
+        two = ((r[:, 1] - r[:, 0]) * (j - c[:, 0]) - (i - r[:, 0]) * (c[:, 1] - c[:, 0])) / area
+        share = numpy.stack([1 - one - two, one, two], axis=1)
+        hit = ((share.min(axis=1) >= -1e-9) & (i >= 0) & (i < self.shape[0]) & (j >= 0)
+               & (j < self.shape[1]) & numpy.isfinite(area))
+        t, k, l = numpy.nonzero(hit)
+        share = share[t, :, k, l]
+        depth = numpy.einsum("nv,nv->n", share, z[t])
+        pixel = (i[t, k, 0] * self.shape[1] + j[t, 0, l]).astype(int)
+        order = numpy.argsort(depth)  # of equal pixels the last one stays
+        order = order[depth[order] > height[pixel[order]]]
+        pixel = pixel[order]
+        height[pixel] = depth[order]
+        result[pixel] = numpy.einsum("nv,nvk->nk", share[order], attributes[number[t[order]]])
+
+    @staticmethod
+    def shade(colours, normals):
+        """Colours [n, 3] of a wet surface in the light; normals [n, 3] to the right,
+        upwards and towards the eye, of any length."""
+        n = normals * numpy.where(normals[:, 2:] < 0, -1, 1) / numpy.maximum(
+            numpy.linalg.norm(normals, axis=1), 1e-12)[:, None]
+        light = LIGHT / numpy.linalg.norm(LIGHT)
+        half = light + (0, 0, 1)
+        half /= numpy.linalg.norm(half)
+        diffuse = 0.72 + 0.36 * numpy.clip(n @ light, 0, 1)
+        gloss = GLOSS * numpy.clip(n @ half, 0, 1)**SHININESS
+        return numpy.clip(colours * diffuse[:, None] + gloss[:, None], 0, 1)
+
+    def water_picture(self, skin, drops, colour_of, opacity=0.9):
+        """Image [rows, columns, 3], first row at the bottom: a skin (corners, normals
+        [n, 3, 3], values [n, 3]) and drops (centres [n, 3], radii, values [n]);
+        colour_of turns values into colours [n, 3]. Through the water one sees a
+        little of what is behind it."""
+        image = self.background.copy()
+        wall = numpy.isfinite(self.walls)
+        image[wall] = self.wall_colours[wall]
+        corners, normals, values = skin
+        water, found = self.triangles(corners, numpy.dstack([normals @ self.axes.T, values]))
+        wet = numpy.isfinite(water) & (water > self.walls)
+        shown = self.shade(colour_of(found[wet][:, 3]), found[wet][:, :3])
+        image[wet] += opacity * (shown - image[wet])
+        centres, radii, at_drops = drops
+        if len(centres):
+            ball, owner = self.balls(centres, radii)
+            nearest = numpy.maximum(self.walls, numpy.where(wet, water, -numpy.inf))
+            dropped = numpy.isfinite(ball) & (ball > nearest)
+            number = owner[dropped]
+            row, column = numpy.nonzero(dropped)
+            there = numpy.stack([self.low[0] + (column + 0.5) * self.pixel,
+                                 self.low[1] + (row + 0.5) * self.pixel, ball[dropped]], axis=1)
+            image[dropped] = self.shade(colour_of(at_drops[number]),
+                                        there - self.project(centres[number]))
+        return self.averaged(image)
+
+    def averaged(self, image):
+        """Of the fine pixels."""
+        rows, columns = self.shape[0] // FINER, self.shape[1] // FINER
+        return image.reshape(rows, FINER, columns, FINER, 3).mean(axis=(1, 3))
 
     def smooth(self, height, width, passes):
         """Mean over neighbours that belong to the same surface: those within a
@@ -140,12 +238,11 @@ class View:
             image[part] = shown[part]
             if not layer:
                 image[walled] += opacity * (self.wall_colours[walled] - image[walled])
-        rows, columns = self.shape[0] // FINER, self.shape[1] // FINER
-        return image.reshape(rows, FINER, columns, FINER, 3).mean(axis=(1, 3))
+        return self.averaged(image)
 
     def draw(self, axes, image, ticks):
         """The image without its white margins, and ticks {direction: places}
-        along the edges of the ground next to the eye."""
+        along the edges of the domain next to the eye."""
         axes.imshow(image, origin="lower", extent=self.extent, interpolation="antialiased")
         used = numpy.flatnonzero((image < 0.999).any(axis=(1, 2)))
         axes.set_ylim(self.low[1] + FINER * self.pixel * numpy.array([used[0], used[-1] + 1]))
@@ -153,17 +250,39 @@ class View:
         away = 0.05 * numpy.ptp(self.extent[:2])
         for d, places in ticks.items():
             middle = numpy.array([near[0], near[1], self.lower[2]])
+            outwards = numpy.eye(3)[1 - d] if d < 2 else numpy.zeros(3)
+            outwards *= 1 if self.axes[2][1 - d] > 0 else -1
+            if d == 2:  # at the edge on the left
+                edges = [(x, y) for x in (self.lower[0], self.upper[0])
+                         for y in (self.lower[1], self.upper[1])]
+                middle[:2] = min(edges, key=lambda e: self.axes[0][:2] @ e)
             middle[d] = 0.5 * (self.lower[d] + self.upper[d])
-            outwards = numpy.eye(3)[1 - d] * (1 if self.axes[2][1 - d] > 0 else -1)
-            side = self.project(outwards)[:2]
+            side = self.project(outwards)[:2] if d < 2 else numpy.array([-1.0, 0.0])
             side /= numpy.linalg.norm(side)
+            anchor = {"ha": "center" if abs(side[0]) < 0.5 else "right" if side[0] < 0 else "left",
+                      "va": "center" if abs(side[1]) < 0.7 else "top" if side[1] < 0 else "bottom"}
             for place in places:
                 at = middle.copy()
                 at[d] = place
                 p = self.project(at)[:2]
                 axes.plot(*zip(p, p + 0.25 * away * side), color="0.35", lw=0.6, clip_on=False)
-                axes.text(*(p + 0.75 * away * side), "%g" % place, fontsize=7, ha="center",
-                          va="center")
-            axes.text(*(self.project(middle)[:2] + 1.7 * away * side), "%s [m]" % "xyz"[d],
-                      fontsize=8, ha="center", va="center")
+                axes.annotate("%g" % place, p + 0.25 * away * side, 4 * side, fontsize=7,
+                              textcoords="offset points", annotation_clip=False, **anchor)
+            axes.annotate("%s [m]" % "xyz"[d], self.project(middle)[:2] + 0.25 * away * side,
+                          26 * side, fontsize=8, textcoords="offset points",
+                          annotation_clip=False, **anchor)
         axes.set_axis_off()
+
+    def draw_rim(self, axes, lower, upper):
+        """The edges of a box next to the eye, which hide nothing."""
+        eye = self.axes[2]
+        near = [(upper if eye[d] > 0 else lower)[d] for d in range(3)]
+        for d in range(3):
+            for e, f in ((0, 1), (1, 0), (1, 1)):
+                ends = numpy.array([near, near], float)
+                others = [o for o in range(3) if o != d]
+                for other, is_near in zip(others, (e, f)):
+                    if not is_near:
+                        ends[:, other] = lower[other] + upper[other] - near[other]
+                ends[:, d] = lower[d], upper[d]
+                axes.plot(*self.project(ends)[:, :2].T, color="0.45", lw=0.5, clip_on=False)

@@ -17,6 +17,7 @@
 #include <seiche/postprocess/tracked_points.h>
 #include <seiche/postprocess/verdicts.h>
 #include <seiche/postprocess/wall_forces.h>
+#include <seiche/postprocess/walls_output.h>
 #include <seiche/postprocess/water_level.h>
 #include <seiche/scene/entry_values.h>
 #include <seiche/utilities/exceptions.h>
@@ -101,7 +102,9 @@ namespace seiche
 
     /// Output objects; nothing is made without an interval.
     void
-    make_frames(const std::string &directory, const MPI_Comm communicator);
+    make_frames(const std::string         &directory,
+                const BackgroundGrid<dim> &grid,
+                const MPI_Comm             communicator);
 
     const InputFile &input;
 
@@ -128,8 +131,9 @@ namespace seiche
   template <int dim>
   void
   PostprocessorList<dim>::Implementation::make_frames(
-    const std::string &directory,
-    const MPI_Comm     communicator)
+    const std::string         &directory,
+    const BackgroundGrid<dim> &grid,
+    const MPI_Comm             communicator)
   {
     if (directory.empty() || output.interval == 0.)
       return;
@@ -151,6 +155,8 @@ namespace seiche
     if (output.series)
       list.push_back(
         std::make_unique<PointSeries<dim>>(settings, communicator));
+    list.push_back(
+      std::make_unique<WallsOutput<dim>>(settings, grid, communicator));
   }
 
   template <int dim>
@@ -255,7 +261,7 @@ namespace seiche
         std::make_unique<ErrorNorm<dim>>(error, all.input, grid, all.pressure));
     for (const ScoreParameters &score : all.score_parameters)
       all.scores.emplace_back(score, all.input);
-    all.make_frames(directory, communicator);
+    all.make_frames(directory, grid, communicator);
   }
 
   template <int dim>

@@ -1,0 +1,304 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the water of a frame is: a level, negative inside, on cells (numpy only).
+
+    water = water_of(run, time, points)                   a Water
+    corners, values = water.triangles("pressure")         2D, to be filled
+    corners, normals, values = water.skin(walls, "speed") 3D, free surface and wetted walls
+    level, values = water.sample(places, "speed")         anywhere
+"""
+
+import itertools
+
+import numpy
+
+from seiche_output import field, read_frame
+from seiche_simplices import (
+    clip_triangles, fans, smooth_normals, surface_of_tetrahedra, tetrahedra)
+
+LEVEL = "level set [cells]"
+VTK_ORDER = {2: [0, 1, 3, 2], 3: [0, 1, 3, 2, 4, 5, 7, 6]}  # to bit order
+OUTSIDE = 9.0  # level [cells] where there is no cell
+SPRAY = 0.25  # level [cells] from which on a point is drawn as spray
+INVERSIONS = 3  # of x + u(x), each gains a digit or so
+NEAR_SIDE = 1e-3  # [cells] by which a place may miss its cell
+LARGEST = 4e6  # cells of the lattice that points fill
+
+
+def scalar(frame, name):
+    """Values of "pressure" or "speed" [n]."""
+    if name == "speed":
+        return numpy.linalg.norm(field(frame, "velocity"), axis=1)
+    return field(frame, name)
+
+
+def water_of(run, time, points):
+    """The Water at a time [s]: inside the level set of the grid's frame, or, without
+    cut cells or frames of the grid, where the points fill the space; their frame."""
+    path = run.frame_at("grid", time)
+    frame = read_frame(path) if path else {}
+    if LEVEL in frame and numpy.any(frame[LEVEL] < 0):
+        return Water.of_grid(frame, run.dim)
+    return Water.of_points(points, run.walls_at(time), run.dim)
+
+
+def deposit(places, sizes, lines, weights):
+    """Sums of weights [n] over the cells between lines, one array a direction, [m].
+    A point is a cube of a size [m], at most as wide as a cell: taken as a dot it
+    would beat with the cells."""
+    dim = len(lines)
+    first, share = [], []
+    for d in range(dim):
+        width = lines[d][1] - lines[d][0]
+        low = (places[:, d] - 0.5 * sizes - lines[d][0]) / width
+        first.append(numpy.floor(low).astype(int))
+        share.append(numpy.clip((first[d] + 1 - low) * width / sizes, 0, 1))
+    shape = [len(line) - 1 for line in lines]
+    result = numpy.zeros(shape)
+    for corner in itertools.product((0, 1), repeat=dim):
+        index = [(first[d] + c).clip(0, shape[d] - 1) for d, c in enumerate(corner)]
+        part = numpy.prod([1 - share[d] if c else share[d] for d, c in enumerate(corner)], axis=0)
+        numpy.add.at(result, tuple(index), weights * part)
+    return result
+
+
+def means_of_neighbours(values, passes):
+    """Mean over each value and those beside it, in every direction; the edge is
+    repeated."""
+    for _ in range(passes):
+        for d in range(values.ndim):
+            padded = numpy.pad(values, [(int(e == d),) * 2 for e in range(values.ndim)], "edge")
+            n = values.shape[d]
+            values = sum(numpy.take(padded, range(k, k + n), axis=d) for k in range(3)) / 3
+    return values
+
+
+def to_nodes(values):
+    """From the cells of a lattice to its nodes."""
+    for d in range(values.ndim):
+        padded = numpy.pad(values, [(int(e == d),) * 2 for e in range(values.ndim)], "edge")
+        n = values.shape[d] + 1
+        values = 0.5 * (numpy.take(padded, range(n), axis=d)
+                        + numpy.take(padded, range(1, n + 1), axis=d))
+    return values
+
+
+def lattice_cells(lines, shape):
+    """Corners [n, 2^dim, dim] of a lattice's cells, and the numbers of their nodes."""
+    dim = len(lines)
+    nodes = numpy.stack(numpy.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, dim)
+    first = numpy.stack(numpy.meshgrid(*(numpy.arange(n) for n in shape), indexing="ij"), axis=-1)
+    first = first.reshape(-1, dim)
+    numbers = [
+        numpy.ravel_multi_index((first + [v >> d & 1 for d in range(dim)]).T, [n + 1 for n in shape])
+        for v in range(2**dim)
+    ]
+    numbers = numpy.stack(numbers, axis=1)
+    return nodes[numbers], numbers
+
+
+class Water:
+    """Cells with a level at their corners, and fields to colour by."""
+
+    def __init__(self, start, displacement, level, fields):
+        """Corners [n, 2^dim, dim] at the start of the step and how far they move [m],
+        level [n, 2^dim] [cells]; fields: name -> values [n, 2^dim] or vectors."""
+        self.dim = start.shape[2]
+        self.start, self.displacement, self.level = start, displacement, level
+        self.corners = start + displacement
+        self.values = fields
+        self.size = float(numpy.median(start[:, 1, 0] - start[:, 0, 0]))
+        self._make_finder()
+
+    @staticmethod
+    def of_grid(frame, dim):
+        cells = frame["cells"][:, VTK_ORDER[dim]]
+
+        def values(name):
+            if name == "velocity":
+                return field(frame, name)[cells][:, :, :dim].astype(float)
+            return scalar(frame, name)[cells].astype(float)
+
+        start = frame["points"][cells][:, :, :dim].astype(float)
+        displacement = field(frame, "displacement")[cells][:, :, :dim].astype(float)
+        return Water(start, displacement, frame[LEVEL][cells].astype(float), values)
+
+    @staticmethod
+    def of_points(frame, walls, dim):
+        """Cells about as wide as a point, full where points take more than half of
+        the room that the obstacles leave."""
+        x, sizes = frame["points"][:, :dim].astype(float), 2.0 * field(frame, "radius").astype(float)
+        width = max(float(numpy.percentile(sizes, 95)), (numpy.prod(numpy.ptp(x, axis=0)) / LARGEST)**(1 / dim))
+        lines = []
+        for d in range(dim):
+            low, high = walls.lower[d], walls.upper[d]
+            line = numpy.linspace(low, high, max(1, int((high - low) / width)) + 1)
+            step = line[1] - line[0]
+            used = (line > x[:, d].min() - 4 * step) & (line < x[:, d].max() + 4 * step)
+            lines.append(line[used])
+        sizes = numpy.minimum(sizes, width)
+        volume = numpy.prod([line[1] - line[0] for line in lines])
+        corners, numbers = lattice_cells(lines, [len(line) - 1 for line in lines])
+        shape = [len(line) - 1 for line in lines]
+        centre = corners.mean(axis=1)
+        room = numpy.ones(len(centre))
+        for low, high in walls.obstacles:
+            room[((centre > low) & (centre < high)).all(axis=1)] = 0.0
+        room = room.reshape(shape)
+        free = numpy.maximum(to_nodes(means_of_neighbours(room, 1)), 1e-3)
+        own = (2.0 * field(frame, "radius").astype(float))**dim
+
+        def spread(values):
+            return to_nodes(means_of_neighbours(deposit(x, sizes, lines, own * values), 1))
+
+        share = spread(numpy.ones(len(x)))
+        level = 2.0 * (0.5 - share / (volume * free))
+        level = level.ravel()[numbers]
+        known = numpy.maximum(share, 1e-12 * volume)
+
+        def values(name):
+            if name != "velocity":
+                return (spread(scalar(frame, name)) / known).ravel()[numbers]
+            velocity = field(frame, name)
+            return numpy.stack([(spread(velocity[:, d]) / known).ravel()[numbers]
+                                for d in range(dim)], axis=-1)
+
+        kept = room.ravel() > 0
+        return Water(corners[kept], numpy.zeros_like(corners[kept]), level[kept],
+                     lambda name: values(name)[kept])
+
+    def triangles(self, name):
+        """In 2D: corners [n, 3, 2] [m] and values [n, 3] there."""
+        wet = (self.level < 0).any(axis=1)
+        columns = numpy.dstack([self.corners, self.values(name)])[wet]
+        clipped = clip_triangles(*fans(columns, self.level[wet]))
+        return clipped[:, :, :2], clipped[:, :, 2]
+
+    def outline(self):
+        """In 2D: the free surface as lines [n, 2, 2] [m]."""
+        cut = (self.level.min(axis=1) < 0) & (self.level.max(axis=1) >= 0)
+        corners, level = fans(self.corners[cut], self.level[cut])
+        inside = level < 0
+        number = inside.sum(axis=1)
+        lines = []
+        for wanted in (1, 2):
+            c, l, i = (a[number == wanted] for a in (corners, level, inside))
+            odd = numpy.argmax(i == (wanted == 1), axis=1)
+            rows = numpy.arange(len(c))
+            ends = []
+            for turn in (1, 2):
+                other = (odd + turn) % 3
+                share = (l[rows, odd] / (l[rows, odd] - l[rows, other]))[:, None]
+                ends.append(c[rows, odd] + share * (c[rows, other] - c[rows, odd]))
+            lines.append(numpy.stack(ends, axis=1))
+        return numpy.concatenate(lines)
+
+    def skin(self, walls, name):
+        """What is seen from outside, the free surface and the wetted walls: corners
+        [n, 3, 3], normals [n, 3, 3] and values [n, 3]."""
+        columns = numpy.dstack([self.corners, self.values(name)])
+        cut = (self.level.min(axis=1) < 0) & (self.level.max(axis=1) >= 0)
+        weights = tetrahedra()
+        split = numpy.einsum("tvc,nck->ntvk", weights, columns[cut]).reshape(-1, 4, 4)
+        level = numpy.einsum("tvc,nc->ntv", weights, self.level[cut]).reshape(-1, 4)
+        surface = surface_of_tetrahedra(split, level)
+        normals = smooth_normals(surface[:, :, :3], self.size)
+        faces, face_normals = [surface], [normals]
+        for d, side in itertools.product(range(3), (0, 1)):
+            on_face = [v for v in range(8) if v >> d & 1 == side]
+            chosen = self._on_wall(walls, d, side, on_face) & (self.level[:, on_face].min(axis=1) < 0)
+            face = clip_triangles(*fans(columns[chosen][:, on_face], self.level[chosen][:, on_face]))
+            faces.append(face)
+            outwards = numpy.zeros((len(face), 3, 3))
+            outwards[:, :, d] = 2 * side - 1
+            face_normals.append(outwards)
+        faces, face_normals = numpy.concatenate(faces), numpy.concatenate(face_normals)
+        return faces[:, :, :3], face_normals, faces[:, :, 3]
+
+    def _on_wall(self, walls, d, side, on_face):
+        """Which cells have this face on a side of the box or of an obstacle."""
+        places = [(walls.upper if side else walls.lower)[d]]
+        near = 1e-3 * self.size
+        result = numpy.zeros(len(self.start), bool)
+        for corners in (self.start, self.corners):  # fixed walls, moving ones
+            face = corners[:, on_face]
+            result |= (abs(face[:, :, d] - places[0]) < near).all(axis=1)
+            for low, high in walls.obstacles:
+                centre = face.mean(axis=1)
+                touches = abs(face[:, :, d] - (low if side else high)[d]) < near
+                others = [e for e in range(3) if e != d]
+                beside = ((centre > low) & (centre < high))[:, others].all(axis=1)
+                result |= touches.all(axis=1) & beside
+        return result
+
+    def _make_finder(self):
+        """Sorted numbers of the finest lattice's cells and the cells there."""
+        low, high = self.start[:, 0], self.start[:, -1]
+        near = 1e-4 * (high - low).min()
+        self.lines = []
+        for d in range(self.dim):
+            places = numpy.sort(numpy.concatenate([low[:, d], high[:, d]]))
+            self.lines.append(places[numpy.append(True, numpy.diff(places) > near)] - near)
+        first = self._lattice(low + 2 * near)
+        count = self._lattice(high + 2 * near) - first
+        keys, owners = [], []
+        for offset in itertools.product(*(range(int(count[:, d].max())) for d in range(self.dim))):
+            holds = (numpy.array(offset) < count).all(axis=1)
+            keys.append(self._key(first[holds] + offset))
+            owners.append(numpy.flatnonzero(holds))
+        keys, owners = numpy.concatenate(keys), numpy.concatenate(owners)
+        order = numpy.argsort(keys)
+        self.keys, self.owners = keys[order], owners[order]
+
+    def _lattice(self, places):
+        return numpy.stack([numpy.searchsorted(self.lines[d], places[:, d], "right") - 1
+                            for d in range(self.dim)], axis=1)
+
+    def _key(self, index):
+        result = index[:, 0].astype(numpy.int64)
+        for d in range(1, self.dim):
+            result = result * (len(self.lines[d]) + 1) + index[:, d]
+        return result
+
+    def _find(self, places):
+        """Cell of each place [m] at the start of the step (-1: none); what lies on an
+        upper side belongs to the cell before it."""
+        result = numpy.full(len(places), -1)
+        for offset in itertools.product((0, -1, 1), repeat=self.dim):
+            missing = numpy.flatnonzero(result < 0)
+            key = self._key(self._lattice(places[missing] + NEAR_SIDE * self.size * numpy.array(offset)))
+            at = numpy.minimum(numpy.searchsorted(self.keys, key), len(self.keys) - 1)
+            result[missing] = numpy.where(self.keys[at] == key, self.owners[at], -1)
+        return result
+
+    def _weights(self, places, cell):
+        low, high = self.start[cell, 0], self.start[cell, -1]
+        unit = numpy.clip((places - low) / (high - low), 0, 1)
+        return numpy.stack(
+            [numpy.prod([unit[:, d] if v >> d & 1 else 1 - unit[:, d] for d in range(self.dim)],
+                        axis=0) for v in range(2**self.dim)], axis=1)
+
+    def sample(self, places, *names):
+        """Level [cells] and values of fields at places [n, dim] [m]; where there is no
+        cell the level is OUTSIDE and the values are zero."""
+        origin = numpy.array(places, float)
+        for _ in range(INVERSIONS):
+            cell = self._find(origin)
+            moved = numpy.zeros_like(origin)
+            inside = cell >= 0
+            weights = self._weights(origin[inside], cell[inside])
+            moved[inside] = numpy.einsum("nv,nvd->nd", weights, self.displacement[cell[inside]])
+            origin = numpy.where(inside[:, None], places - moved, origin)
+        cell = self._find(origin)
+        inside = cell >= 0
+        weights = self._weights(origin[inside], cell[inside])
+        result = []
+        for values, default in [(self.level, OUTSIDE)] + [(self.values(n), 0.0) for n in names]:
+            here = values[cell[inside]]
+            found = numpy.full((len(places),) + here.shape[2:], default)
+            found[inside] = numpy.einsum("nv,nv...->n...", weights, here)
+            result.append(found)
+        return result
+
+    def spray(self, places):
+        """Which points lie outside the water by more than a quarter of a cell."""
+        return self.sample(places[:, :self.dim])[0] > SPRAY

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/field_patches.h>
+#include <seiche/postprocess/walls_output.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/grid/reference_cell.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// One patch for the face of a box.
+    template <int dim>
+    void
+    add_face(FieldPatches<dim - 1, dim> &walls,
+             const BoundingBox<dim>     &box,
+             const unsigned int          face,
+             const unsigned int          part,
+             const bool                  is_open)
+    {
+      DataOutBase::Patch<dim - 1, dim> patch;
+      patch.patch_index    = walls.patches.size();
+      patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
+      patch.data.reinit(walls.n_rows(), 1u << (dim - 1));
+      unsigned int next = 0;
+      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+        if (((v >> (face / 2)) & 1u) == face % 2)
+          {
+            patch.vertices[next] = box.vertex(v);
+            patch.data(0, next)  = part;
+            patch.data(1, next)  = is_open;
+            ++next;
+          }
+      walls.patches.push_back(patch);
+    }
+
+    template <int dim>
+    bool
+    any_side_moves(const GridParameters<dim> &parameters)
+    {
+      for (unsigned int side = 0; side < 2 * dim; ++side)
+        if (!parameters.wall_displacement_text(side).empty())
+          return true;
+      return false;
+    }
+  } // namespace
+
+  template <int dim>
+  WallsOutput<dim>::WallsOutput(const FrameSettings       &settings,
+                                const BackgroundGrid<dim> &grid,
+                                const MPI_Comm             communicator)
+    : parameters(grid.parameters)
+    , is_first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , series("walls", settings, communicator)
+  {}
+
+  template <int dim>
+  void
+  WallsOutput<dim>::execute(const StepView<dim> &view,
+                            StatisticsTable & /*statistics*/)
+  {
+    if (!series.due(view.time) ||
+        (view.step > 0 && !any_side_moves(parameters)))
+      return;
+    FieldPatches<dim - 1, dim> walls(view.time, view.step);
+    walls.add_scalar("part [-]");
+    walls.add_scalar("open [-]");
+    if (is_first_rank)
+      for (const unsigned int face : GeometryInfo<dim>::face_indices())
+        {
+          add_face(walls,
+                   view.box,
+                   face,
+                   0,
+                   parameters.walls[face] == WallCondition::open);
+          for (unsigned int i = 0; i < parameters.obstacles.size(); ++i)
+            add_face(walls,
+                     BoundingBox<dim>({parameters.obstacles[i].lower_corner,
+                                       parameters.obstacles[i].upper_corner}),
+                     face,
+                     i + 1,
+                     /*is_open=*/false);
+        }
+    series.write_vtu(view.time, walls);
+  }
+
+  template <int dim>
+  void
+  WallsOutput<dim>::save_or_load(StateArchive &archive)
+  {
+    archive.section("wall frames", [&]() {
+      series.save_or_load(archive, {".vtu", ".pvtu"});
+    });
+  }
+
+  template class WallsOutput<2>;
+  template class WallsOutput<3>;
+} // namespace seiche
