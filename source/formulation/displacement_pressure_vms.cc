@@ -169,6 +169,11 @@ namespace seiche
                                                   weight,
                                                   h,
                                                   inertia);
+        if (cell.turns && parts.inertia)
+          PressureTerms<dim, degree>::add_coriolis(cell,
+                                                   point,
+                                                   n_points,
+                                                   inertia);
         PressureTerms<dim, degree>::add_diagonal(
           cell, point, n_points, weight / kappa, fine);
         if (!turns_little(state, negligible_force))

@@ -68,6 +68,14 @@ namespace seiche
       for (unsigned int a = 0; a < cell.n_nodes; ++a)
         for (unsigned int b = 0; b < cell.n_nodes; ++b)
           cell.uu[i][i][a][b] += factor * stiffness[a][b];
+    if (!cell.turns)
+      return;
+    const Tensor<2, dim> shares = cell.coriolis_over_inertia();
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int k = 0; k < dim; ++k)
+        for (unsigned int a = 0; a < cell.n_nodes; ++a)
+          for (unsigned int b = 0; b < cell.n_nodes; ++b)
+            cell.uu[i][k][a][b] += factor * shares[i][k] * stiffness[a][b];
   }
 
   template struct PointInertia<2, 1>;

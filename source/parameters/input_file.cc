@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 
 namespace seiche
 {
@@ -180,6 +181,19 @@ namespace seiche
   InputFile::is_set(const std::string &path) const
   {
     return !value(path).empty() && entries_at_default.count(path) == 0;
+  }
+
+
+
+  bool
+  InputFile::calls(const std::string &name) const
+  {
+    const std::regex call("(^|[^A-Za-z0-9_])" + name + "\\s*\\(");
+    return std::any_of(text.entries.begin(),
+                       text.entries.end(),
+                       [&](const auto &entry) {
+                         return std::regex_search(entry.second.value, call);
+                       });
   }
 
 

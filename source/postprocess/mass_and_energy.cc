@@ -38,20 +38,19 @@ namespace seiche
       std::array<const double *, dim> x, v;
       const double                   *m, *ratio, *v0;
       Tensor<1, dim>                  gravity; // [m/s^2]
-      Point<dim>                      lowest;  // corner of zero potential
+      Tensor<1, dim>                  lowest;  // corner of zero potential
 
-      Columns(const StepView<dim> &view, const BackgroundGrid<dim> &grid)
+      explicit Columns(const StepView<dim> &view)
         : m(view.points.data(PointColumn::mass))
         , ratio(view.points.data(PointColumn::volume_ratio))
         , v0(view.points.data(PointColumn::initial_volume))
         , gravity(view.gravity)
+        , lowest(MassAndEnergy<dim>::zero_of_potential(view))
       {
         for (unsigned int d = 0; d < dim; ++d)
           {
-            x[d]      = view.points.data(PointColumn::position, d);
-            v[d]      = view.points.data(PointColumn::velocity, d);
-            lowest[d] = gravity[d] > 0. ? grid.parameters.upper_corner[d] :
-                                          grid.parameters.lower_corner[d];
+            x[d] = view.points.data(PointColumn::position, d);
+            v[d] = view.points.data(PointColumn::velocity, d);
           }
       }
     };
@@ -136,13 +135,33 @@ namespace seiche
                                     nlohmann::ordered_json(nullptr);
     }
 
+    constexpr double round_off = 1e-12; // of a gravity that was turned and back
     constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
   } // namespace
 
   template <int dim>
-  MassAndEnergy<dim>::MassAndEnergy(const BackgroundGrid<dim> &background_grid)
+  MassAndEnergy<dim>::MassAndEnergy(const BackgroundGrid<dim> &background_grid,
+                                    const TankRecord<dim>     *tank_record)
     : grid(background_grid)
+    , tank(tank_record)
   {}
+
+  template <int dim>
+  Tensor<1, dim>
+  MassAndEnergy<dim>::zero_of_potential(const StepView<dim> &view)
+  {
+    // by gravity in the laboratory, which stays: the tank's may turn past an
+    // axis
+    const Tensor<1, dim> gravity =
+      view.tank != nullptr ? view.tank->rotation * view.gravity : view.gravity;
+    const auto    &parameters = view.occupancy.locator.grid.parameters;
+    Tensor<1, dim> lowest;
+    for (unsigned int d = 0; d < dim; ++d)
+      lowest[d] = gravity[d] > round_off * gravity.norm() ?
+                    parameters.upper_corner[d] :
+                    parameters.lower_corner[d];
+    return lowest;
+  }
 
   template <int dim>
   std::vector<std::string>
@@ -172,7 +191,7 @@ namespace seiche
   typename MassAndEnergy<dim>::Totals
   MassAndEnergy<dim>::sum_up(const StepView<dim> &view) const
   {
-    const Columns<dim>                      columns(view, grid);
+    const Columns<dim>                      columns(view);
     const std::size_t                       n = view.points.size();
     std::array<CompensatedSum, n_sums<dim>> sums;
     for (std::size_t begin = 0; begin < n; begin += block_size)
@@ -242,11 +261,11 @@ namespace seiche
     if (!started)
       {
         start          = now;
-        energy_minimum = now.energy();
+        energy_minimum = energy();
         started        = true;
       }
-    energy_minimum = std::min(energy_minimum, now.energy());
-    energy_rise    = std::max(energy_rise, now.energy() - energy_minimum);
+    energy_minimum = std::min(energy_minimum, energy());
+    energy_rise    = std::max(energy_rise, energy() - energy_minimum);
 
     const double overfull = view.fill.overfull_fraction();
     overfull_maximum      = std::max(overfull_maximum, overfull);
@@ -371,7 +390,7 @@ namespace seiche
   double
   MassAndEnergy<dim>::relative_energy() const
   {
-    return start.energy() > 0. ? now.energy() / start.energy() : undefined;
+    return start.energy() > 0. ? energy() / start.energy() : undefined;
   }
 
   template class MassAndEnergy<2>;

@@ -185,14 +185,17 @@ namespace seiche
 
   template <int dim>
   void
-  PostprocessorList<dim>::check(
-    const GridParameters<dim>      &grid,
-    const std::vector<std::string> &other_columns) const
+  PostprocessorList<dim>::check(const GridParameters<dim>      &grid,
+                                const std::vector<std::string> &other_columns,
+                                const bool tank_moves) const
   {
     Implementation          &all     = *implementation;
     std::vector<std::string> columns = other_columns;
     for (const std::string &column : MassAndEnergy<dim>::columns())
       columns.push_back(column);
+    if (tank_moves)
+      for (const std::string &column : TankRecord<dim>::columns())
+        columns.push_back(column);
     if (all.output.mean_level)
       columns.emplace_back(MeanLevel<dim>::column);
     check_instances(all.fronts, all.input, grid, columns);
@@ -218,7 +221,8 @@ namespace seiche
   void
   PostprocessorList<dim>::make(const std::string         &directory,
                                const BackgroundGrid<dim> &grid,
-                               const MPI_Comm             communicator)
+                               const MPI_Comm             communicator,
+                               const bool                 tank_moves)
   {
     Implementation &all = *implementation;
     all.list.clear();
@@ -226,8 +230,13 @@ namespace seiche
     all.pressure = std::make_shared<NodalPressure<dim>>();
     all.extent   = std::make_shared<FluidExtentOfStep<dim>>();
 
-    auto ledger = std::make_unique<MassAndEnergy<dim>>(grid);
+    std::unique_ptr<TankRecord<dim>> tank;
+    if (tank_moves)
+      tank = std::make_unique<TankRecord<dim>>();
+    auto ledger = std::make_unique<MassAndEnergy<dim>>(grid, tank.get());
     all.ledger  = ledger.get();
+    if (tank)
+      all.list.push_back(std::move(tank));
     all.list.push_back(std::move(ledger));
     auto alarms = std::make_unique<Alarms<dim>>(*all.ledger);
     all.alarms  = alarms.get();

@@ -118,36 +118,16 @@ namespace seiche
         return;
       }
 
-    const auto columns = entry_values::numbers(input,
-                                               section + "/Table columns",
-                                               parameters.table_columns);
-    const auto factors = entry_values::numbers(input,
-                                               section + "/Table factors",
-                                               parameters.table_factors);
-    input.require(columns.size() == 2 && columns[0] >= 0. && columns[1] >= 0. &&
-                    columns[0] == std::floor(columns[0]) &&
-                    columns[1] == std::floor(columns[1]),
-                  section + "/Table columns",
-                  "two column numbers, 0 or larger, are needed: of the time "
-                  "and of the value.");
-    input.require(factors.size() == 2 && factors[0] > 0.,
-                  section + "/Table factors",
-                  "two factors are needed: of the time (positive) and of the "
-                  "value.");
-    const std::string filename = parameters.table[0] == '/' ?
-                                   parameters.table :
-                                   input.directory() + "/" + parameters.table;
-    table                      = std::make_unique<const ReferenceTable>(
-      filename,
-      std::array<unsigned int, 2>{{static_cast<unsigned int>(columns[0]),
-                                                        static_cast<unsigned int>(columns[1])}},
-      std::array<double, 2>{{factors[0], factors[1]}},
-      parameters.interpolation == "spline" ?
-                             ReferenceTable::Interpolation::spline :
-                             ReferenceTable::Interpolation::linear,
-      [&](const std::string &problem) {
-        input.fail(section + "/Reference table", problem);
-      });
+    table = std::make_unique<const TimeTable>(
+      input,
+      TimeTable::Entries{section + "/Reference table",
+                         parameters.table,
+                         section + "/Table columns",
+                         parameters.table_columns,
+                         section + "/Table factors",
+                         parameters.table_factors},
+      parameters.interpolation == "spline" ? TimeTable::Interpolation::akima :
+                                             TimeTable::Interpolation::linear);
   }
 
   std::vector<Score::Row>

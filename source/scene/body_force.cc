@@ -20,10 +20,10 @@ namespace seiche
     prm.enter_subsection("Body force");
     prm.add_parameter("Acceleration",
                       acceleration,
-                      "Acceleration of the fluid by gravity or by the motion "
-                      "of the tank: one expression of x, y[, z], t per "
-                      "direction, separated by \";\", as in 0; -9.81. "
-                      "[m/s^2]");
+                      "Acceleration of the fluid by gravity: one expression of "
+                      "x, y[, z], t per direction, separated by \";\", as in "
+                      "0; -9.81. With a \"Tank motion\" these are axes and "
+                      "places of the laboratory. [m/s^2]");
     prm.leave_subsection();
   }
 
@@ -31,21 +31,24 @@ namespace seiche
 
   template <int dim>
   void
-  BodyForceParameters<dim>::check(const InputFile &input) const
+  BodyForceParameters<dim>::check(const InputFile &input,
+                                  const double     end_time) const
   {
     const Expression<dim> expression(input,
                                      acceleration_path,
                                      acceleration,
                                      dim);
-    (void)expression;
+    expression.check_until(end_time);
   }
 
 
 
   template <int dim>
   BodyForce<dim>::BodyForce(const BodyForceParameters<dim> &parameters,
+                            const TankMotion<dim>          &tank_motion,
                             const InputFile                &input)
-    : acceleration(input, acceleration_path, parameters.acceleration, dim)
+    : tank(tank_motion)
+    , acceleration(input, acceleration_path, parameters.acceleration, dim)
   {
     if (acceleration.is_constant())
       constant = acceleration.vector_value(dealii::Point<dim>(), /*t=*/0.);
@@ -57,8 +60,18 @@ namespace seiche
   dealii::Tensor<1, dim>
   BodyForce<dim>::value(const dealii::Point<dim> &x, const double t) const
   {
-    return acceleration.is_constant() ? constant :
-                                        acceleration.vector_value(x, t);
+    const auto in_laboratory = [&](const dealii::Point<dim> &X) {
+      return acceleration.is_constant() ? constant :
+                                          acceleration.vector_value(X, t);
+    };
+    if (!tank.any())
+      return in_laboratory(x);
+    const TankPose<dim>         &pose = tank.at(t);
+    const dealii::Tensor<1, dim> r    = x - tank.centre;
+    return transpose(pose.rotation) *
+             in_laboratory(tank.centre + pose.displacement +
+                           pose.rotation * r) -
+           pose.acceleration - pose.of_place * r;
   }
 
 
@@ -67,7 +80,7 @@ namespace seiche
   bool
   BodyForce<dim>::is_constant() const
   {
-    return acceleration.is_constant();
+    return acceleration.is_constant() && !tank.any();
   }
 
 
@@ -76,9 +89,18 @@ namespace seiche
   const dealii::Tensor<1, dim> &
   BodyForce<dim>::constant_value() const
   {
-    Assert(acceleration.is_constant(),
+    Assert(is_constant(),
            dealii::ExcMessage("The body force depends on place or time."));
     return constant;
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  BodyForce<dim>::gravity(const double t) const
+  {
+    return tank.any() ? transpose(tank.at(t).rotation) * constant : constant;
   }
 
 

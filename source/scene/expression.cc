@@ -1,165 +1,135 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
 #include <seiche/scene/expression.h>
+#include <seiche/scene/expression_text.h>
+#include <seiche/scene/sample_times.h>
+#include <seiche/scene/time_table.h>
 
+#include <deal.II/base/mu_parser_internal.h>
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/utilities.h>
 
 #include <fmt/format.h>
+#include <muParser.h>
 
-#include <cctype>
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <iostream>
+#include <deque>
 #include <limits>
-#include <set>
-#include <sstream>
+#include <regex>
 
 namespace seiche
 {
   namespace
   {
-    bool
-    is_name_start(const char c)
+    /// muParser's functions and those that deal.II adds to them.
+    mu::Parser
+    parser_with_functions()
     {
-      return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+      using namespace dealii::internal::FunctionParser;
+      mu::Parser parser;
+      parser.DefineFun("if", mu_if);
+      parser.DefineFun("int", mu_int);
+      parser.DefineFun("ceil", mu_ceil);
+      parser.DefineFun("floor", mu_floor);
+      parser.DefineFun("cot", mu_cot);
+      parser.DefineFun("csc", mu_csc);
+      parser.DefineFun("sec", mu_sec);
+      parser.DefineFun("log", mu_log);
+      parser.DefineFun("pow", mu_pow);
+      parser.DefineFun("erf", mu_erf);
+      parser.DefineFun("erfc", mu_erfc);
+      parser.DefineOprt("|", mu_or, 1);
+      parser.DefineOprt("&", mu_and, 2);
+      parser.DefineConst("pi", dealii::numbers::PI);
+      parser.DefineConst("e", dealii::numbers::E);
+      return parser;
     }
 
 
 
-    bool
-    is_digit(const char c)
+    const std::vector<std::string> &
+    variables()
     {
-      return std::isdigit(static_cast<unsigned char>(c));
+      static const std::vector<std::string> names = {"x", "y", "z", "t"};
+      return names;
     }
 
 
 
-    /// First character behind the number at @p i (with its exponent, so that
-    /// the e of 1e3 is not taken for a name).
-    std::size_t
-    end_of_number(const std::string &text, std::size_t i)
+    /// The components, with a function's name next to its parenthesis, as
+    /// muParser wants it.
+    std::vector<std::string>
+    components_of(const std::string &text)
     {
-      while (i < text.size() && (is_digit(text[i]) || text[i] == '.'))
-        ++i;
-      if (i < text.size() && (text[i] == 'e' || text[i] == 'E'))
-        {
-          std::size_t j = i + 1;
-          if (j < text.size() && (text[j] == '+' || text[j] == '-'))
-            ++j;
-          if (j < text.size() && is_digit(text[j]))
-            {
-              while (j < text.size() && is_digit(text[j]))
-                ++j;
-              i = j;
-            }
-        }
-      return i;
+      static const std::regex blanks("([A-Za-z0-9_])\\s+\\(");
+      return dealii::Utilities::split_string_list(
+        std::regex_replace(text, blanks, "$1("), ';');
     }
 
 
 
-    bool
-    is_comparison(const std::string &text, const std::size_t i)
-    {
-      const std::string before = "<>=!";
-      return (i > 0 && before.find(text[i - 1]) != std::string::npos) ||
-             (i + 1 < text.size() && text[i + 1] == '=');
-    }
-
-
-
-    /// What muParser would accept although it cannot be meant; the text of
-    /// the problem, or empty. Fills the names that occur.
     std::string
-    find_problem(const std::string &text, std::set<std::string> &names)
+    message_of(const mu::ParserError &error)
     {
-      std::vector<bool> parentheses; // of a function?
-      std::string       last_name;   // directly before the current character
-      for (std::size_t i = 0; i < text.size();)
-        {
-          const char c = text[i];
-          if (is_name_start(c))
-            {
-              std::size_t end = i;
-              while (end < text.size() &&
-                     (is_name_start(text[end]) || is_digit(text[end])))
-                ++end;
-              last_name = text.substr(i, end - i);
-              if (last_name == "rand" || last_name == "rand_seed")
-                return "random numbers are not reproducible and not allowed.";
-              names.insert(last_name);
-              i = end;
-              continue;
-            }
-          if (is_digit(c) || c == '.')
-            {
-              i = std::max(end_of_number(text, i), i + 1);
-              last_name.clear();
-              continue;
-            }
-          if (std::isspace(static_cast<unsigned char>(c)))
-            {
-              ++i;
-              continue;
-            }
-          if (c == '(')
-            parentheses.push_back(!last_name.empty());
-          else if (c == ')' && !parentheses.empty())
-            parentheses.pop_back();
-          else if (c == ',' && (parentheses.empty() || !parentheses.back()))
-            return "a comma is allowed only between the arguments of a "
-                   "function; separate components by \";\" and write 0.5, "
-                   "not 0,5.";
-          else if (c == '=' && !is_comparison(text, i))
-            return "\"=\" assigns and is not allowed; compare with \"==\".";
-          else if (std::string("+-*/^()<>=!&|?:,;").find(c) ==
-                   std::string::npos)
-            return fmt::format("the character \"{}\" is not allowed.", c);
-          last_name.clear();
-          ++i;
-        }
-      return "";
+      std::string message = error.GetMsg();
+      while (!message.empty() && message.back() == '.')
+        message.pop_back();
+      return message;
     }
 
 
 
-    /// deal.II 9.4 prints what muParser says to the screen besides throwing;
-    /// users get one message only, so the text is caught for it.
-    class CaughtErrorStream
+    /// A table as a function of muParser's.
+    struct Signal
     {
-    public:
-      CaughtErrorStream()
-        : original(std::cerr.rdbuf(text.rdbuf()))
-      {}
+      const InputFile  &input;
+      const std::string path; ///< of the entry that calls it
+      const std::string name;
+      const TimeTable   table;
 
-      ~CaughtErrorStream()
+      static double
+      value(void *signal, const double t)
       {
-        std::cerr.rdbuf(original);
+        const Signal    &here  = *static_cast<const Signal *>(signal);
+        const TimeTable &table = here.table;
+        if (std::isfinite(t) && !table.covers(t))
+          here.input.fail(
+            here.path,
+            fmt::format("table {} has rows from {:.6g} s to {:.6g} s and is "
+                        "asked for {:.6g} s: give it more rows, or set an "
+                        "earlier Time/End time.",
+                        here.name,
+                        table.first_time(),
+                        table.last_time(),
+                        t));
+        return std::isfinite(t) ? table.value(t) : t;
       }
-
-      CaughtErrorStream(const CaughtErrorStream &) = delete;
-      CaughtErrorStream &
-      operator=(const CaughtErrorStream &) = delete;
-
-      /// The line that starts with "Message:", without the ornaments.
-      std::string
-      message() const
-      {
-        const std::string all   = text.str();
-        const std::size_t begin = all.find('<');
-        const std::size_t end   = all.find(">\n");
-        if (end == std::string::npos || begin >= end)
-          return "not a valid expression";
-        std::string result = all.substr(begin + 1, end - begin - 1);
-        while (!result.empty() && result.back() == '.')
-          result.pop_back();
-        return result;
-      }
-
-    private:
-      std::ostringstream text;
-      std::streambuf    *original;
     };
   } // namespace
+
+
+
+  bool
+  is_known_in_expressions(const std::string &name)
+  {
+    static const mu::Parser parser = parser_with_functions();
+    return name.rfind("rand", 0) == 0 ||
+           std::count(variables().begin(), variables().end(), name) > 0 ||
+           parser.GetConst().count(name) > 0 ||
+           parser.GetFunDef().count(name) > 0;
+  }
+
+
+
+  template <int dim>
+  struct Expression<dim>::Parser
+  {
+    std::array<double, dim + 1> variables{}; // x, y[, z], t
+    std::deque<Signal>          signals;
+    std::vector<mu::Parser>     components;
+  };
 
 
 
@@ -168,12 +138,14 @@ namespace seiche
                               const std::string        &entry_path,
                               const std::string        &text,
                               const unsigned int        n_components,
-                              const dealii::Point<dim> &probe)
+                              const dealii::Point<dim> &probe_point)
     : input(&input_file)
     , path(entry_path)
+    , probe(probe_point)
+    , parser(std::make_unique<Parser>())
   {
     std::set<std::string> names;
-    const std::string     problem = find_problem(text, names);
+    const std::string     problem = problem_in_expression(text, names);
     input->require(problem.empty(), path, problem);
     input->require(text.find_first_not_of(" \t") != std::string::npos,
                    path,
@@ -194,44 +166,74 @@ namespace seiche
     with_time = names.count("t") != 0;
     constant  = !with_time && names.count("x") == 0 && names.count("y") == 0 &&
                names.count("z") == 0;
-    parse_and_probe(text, n_components, probe);
+    parser->components.assign(n_components, parser_with_functions());
+    define_tables(names);
+    parse(text);
+    std::vector<double> values;
+    for (unsigned int c = 0; c < n_components; ++c)
+      values.push_back(value(probe, 0., c)); // finite?
+    if (constant)
+      constant_values = values;
+  }
+
+
+
+  template <int dim>
+  Expression<dim>::Expression(Expression &&) = default;
+
+  template <int dim>
+  Expression<dim>::~Expression() = default;
+
+
+
+  template <int dim>
+  void
+  Expression<dim>::define_tables(const std::set<std::string> &names)
+  {
+    for (const TableParameters &table : TableParameters::all(*input))
+      if (names.count(table.name) > 0)
+        {
+          with_corners = with_corners || table.is_linear();
+          parser->signals.push_back(
+            {*input, path, table.name, table.read(*input)});
+          for (mu::Parser &component : parser->components)
+            component.DefineFunUserData(table.name,
+                                        &Signal::value,
+                                        &parser->signals.back(),
+                                        /*a_bAllowOpt=*/false);
+        }
   }
 
 
 
   template <int dim>
   void
-  Expression<dim>::parse_and_probe(const std::string        &text,
-                                   const unsigned int        n_components,
-                                   const dealii::Point<dim> &probe)
+  Expression<dim>::parse(const std::string &text)
   {
-    const CaughtErrorStream caught;
-    std::vector<double>     values;
+    std::vector<std::string> names = variables();
+    if (dim == 2)
+      names.erase(names.begin() + 2);
     try
       {
-        parser = std::make_unique<dealii::FunctionParser<dim>>(n_components);
-        parser->initialize(dim == 2 ? "x,y,t" : "x,y,z,t",
-                           text,
-                           {{"pi", dealii::numbers::PI},
-                            {"e", dealii::numbers::E}},
-                           /*time_dependent=*/true);
-        // deal.II parses at the first evaluation, not before
-        for (unsigned int c = 0; c < n_components; ++c)
-          values.push_back(parser->value(probe, c));
+        const std::vector<std::string> texts = components_of(text);
+        for (unsigned int c = 0; c < parser->components.size(); ++c)
+          {
+            mu::Parser &component = parser->components[c];
+            for (unsigned int i = 0; i < names.size(); ++i)
+              component.DefineVar(names[i], &parser->variables[i]);
+            component.SetExpr(c < texts.size() ? texts[c] : "");
+            component.Eval(); // parses
+          }
       }
-    catch (const std::exception &)
+    catch (const mu::ParserError &error)
       {
         input->fail(path,
                     fmt::format("{}; allowed are x, y{}, t, pi, e, numbers, "
                                 "+ - * / ^, comparisons and the functions of "
                                 "muParser.",
-                                caught.message(),
+                                message_of(error),
                                 dim == 3 ? ", z" : ""));
       }
-    for (unsigned int c = 0; c < n_components; ++c)
-      value(probe, 0., c); // finite?
-    if (constant)
-      constant_values = values;
   }
 
 
@@ -244,14 +246,15 @@ namespace seiche
   {
     if (component < constant_values.size())
       return constant_values[component];
-    if (with_time)
-      parser->set_time(t);
-    double result = std::numeric_limits<double>::quiet_NaN();
+    for (unsigned int d = 0; d < dim; ++d)
+      parser->variables[d] = x[d];
+    parser->variables[dim] = t;
+    double result          = std::numeric_limits<double>::quiet_NaN();
     try
       {
-        result = parser->value(x, component);
+        result = parser->components[component].Eval();
       }
-    catch (const std::exception &)
+    catch (const mu::ParserError &)
       {
         // an evaluation that muParser gives up is reported as not finite
       }
@@ -289,6 +292,38 @@ namespace seiche
   Expression<dim>::is_constant() const
   {
     return constant;
+  }
+
+
+
+  template <int dim>
+  void
+  Expression<dim>::check_until(const double end_time) const
+  {
+    if (with_time)
+      for (const double t : sample_times(end_time))
+        for (unsigned int c = 0; c < parser->components.size(); ++c)
+          value(probe, t, c);
+  }
+
+
+
+  template <int dim>
+  void
+  Expression<dim>::check_motion(const dealii::Point<dim> &lower_corner,
+                                const dealii::Point<dim> &upper_corner,
+                                const double              end_time) const
+  {
+    input->require(!with_corners,
+                   path,
+                   "with a table of linear interpolation the velocity would "
+                   "jump at each row: set its Interpolation = cubic spline.");
+    for (const double t : sample_times(end_time))
+      for (unsigned int c = 0; c < parser->components.size(); ++c)
+        input->require(value(lower_corner, t, c) == value(upper_corner, t, c),
+                       path,
+                       "an expression of t alone is needed: what it moves "
+                       "moves as a whole.");
   }
 
 

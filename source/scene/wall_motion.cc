@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
+#include <seiche/scene/jumps.h>
 #include <seiche/scene/sample_times.h>
 #include <seiche/scene/wall_motion.h>
 
@@ -19,15 +20,15 @@ namespace seiche
     constexpr double difference = 1e-3;
 
     /// Part of the room that a wall may move between two samples without a
-    /// closer look, and halvings of the time between them in that look.
-    constexpr double       slow_share = 0.01;
-    constexpr unsigned int n_halvings = 40;
+    /// closer look.
+    constexpr double slow_share = 0.01;
   } // namespace
 
   template <int dim>
   WallMotion<dim>::WallMotion(const GridParameters<dim> &parameters,
                               const InputFile           &input,
                               const double               end_time)
+    : last_time(end_time)
   {
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -51,18 +52,20 @@ namespace seiche
       }
     for (unsigned int side = 0; side < 2 * dim; ++side)
       if (moves(side))
-        check(parameters, input, side, end_time);
+        check(parameters, input, side);
   }
 
   template <int dim>
   void
   WallMotion<dim>::check(const GridParameters<dim> &parameters,
                          const InputFile           &input,
-                         const unsigned int         side,
-                         const double               end_time) const
+                         const unsigned int         side) const
   {
     const std::string  path = parameters.wall_displacement_path(side);
     const unsigned int d    = side / 2;
+    expressions[side]->check_motion(parameters.lower_corner,
+                                    parameters.upper_corner,
+                                    last_time);
     input.require(displacement(side, /*time=*/0.) == 0.,
                   path,
                   "it must be 0 at t = 0: the wall begins where the grid has "
@@ -74,13 +77,8 @@ namespace seiche
                   path,
                   "an obstacle stands at this wall; it cannot move.");
     double before = 0.;
-    for (const double t : sample_times(end_time))
+    for (const double t : sample_times(last_time))
       {
-        input.require(expressions[side]->value(parameters.lower_corner, t) ==
-                        expressions[side]->value(parameters.upper_corner, t),
-                      path,
-                      "an expression of t alone is needed: all of the wall "
-                      "moves alike.");
         const double left =
           std::abs(line(d, end, t) - line(d, sides[d][side % 2], t));
         const bool ordered = line(d, sides[d][0], t) < line(d, sides[d][1], t);
@@ -96,41 +94,19 @@ namespace seiche
                                   room,
                                   parameters.obstacles.empty() ? "wall" :
                                                                  "obstacle"));
-        input.require(!jumps(side, before, t, slow_share * room),
-                      path,
-                      fmt::format("the wall jumps between t = {:.4g} s and "
-                                  "{:.4g} s; an expression without steps is "
-                                  "needed.",
-                                  before,
-                                  t));
+        input.require(
+          !jumps([&](const double time) { return displacement(side, time); },
+                 before,
+                 t,
+                 slow_share * room),
+          path,
+          fmt::format("the wall jumps between t = {:.4g} s and "
+                      "{:.4g} s; an expression without steps is "
+                      "needed.",
+                      before,
+                      t));
         before = t;
       }
-  }
-
-  template <int dim>
-  bool
-  WallMotion<dim>::jumps(const unsigned int side,
-                         double             begin,
-                         double             end,
-                         const double       slow) const
-  {
-    const double way =
-      std::abs(displacement(side, end) - displacement(side, begin));
-    if (way < slow)
-      return false;
-    // towards the half in which the wall moves farther: what is smooth halves
-    for (unsigned int i = 0; i < n_halvings; ++i)
-      {
-        const double middle = 0.5 * (begin + end);
-        const double place  = displacement(side, middle);
-        if (std::abs(place - displacement(side, begin)) >
-            std::abs(displacement(side, end) - place))
-          end = middle;
-        else
-          begin = middle;
-      }
-    return std::abs(displacement(side, end) - displacement(side, begin)) >
-           0.1 * way;
   }
 
   template <int dim>
@@ -170,11 +146,12 @@ namespace seiche
   double
   WallMotion<dim>::largest_way(const double time, const double dt) const
   {
-    double most = 0.;
+    const double end  = std::min(time + dt, last_time); // of tables, too
+    double       most = 0.;
     for (unsigned int side = 0; side < 2 * dim; ++side)
       if (moves(side))
         most = std::max(most,
-                        std::abs(displacement(side, time + dt) -
+                        std::abs(displacement(side, end) -
                                  displacement(side, time)));
     return most;
   }

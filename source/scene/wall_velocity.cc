@@ -34,6 +34,7 @@ namespace seiche
           centre[wall / 2] =
             wall % 2 == 0 ? box.first[wall / 2] : box.second[wall / 2];
         expressions[wall].emplace(input, path, text, dim, centre);
+        expressions[wall]->check_until(end_time);
         if (!is_side)
           continue;
         for (const double t : sample_times(end_time))

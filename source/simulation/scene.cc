@@ -21,6 +21,11 @@ namespace seiche
         bodies.emplace_back();
         bodies.back().name = name;
       }
+    for (const std::string &name : input.instances(TableParameters::kind))
+      {
+        tables.emplace_back();
+        tables.back().name = name;
+      }
   }
 
   template <int dim>
@@ -28,7 +33,15 @@ namespace seiche
   Scene<dim>::add_parameters(ParameterHandler &prm)
   {
     grid.add_parameters(prm);
+    for (auto &table : tables)
+      {
+        prm.enter_subsection(std::string(TableParameters::kind) + " " +
+                             table.name);
+        table.add_parameters(prm);
+        prm.leave_subsection();
+      }
     body_force.add_parameters(prm);
+    tank_motion.add_parameters(prm);
     fluid.add_parameters(prm);
     for (auto &body : bodies)
       body.add_parameters(prm);
@@ -68,12 +81,17 @@ namespace seiche
   void
   Scene<dim>::check(const InputFile &input_file)
   {
+    for (const auto &table : tables)
+      table.check(input_file);
     for (const auto &body : bodies)
       body.check(input_file);
     grid.check(input_file);
     (void)WallVelocity<dim>(grid, input_file, time.end_time);
     const WallMotion<dim> wall_motion(grid, input_file, time.end_time);
-    body_force.check(input_file);
+    body_force.check(input_file, time.end_time);
+    tank_motion.check(input_file);
+    (void)
+      TankMotion<dim>(tank_motion, grid, input_file, time.end_time, time.step);
     fluid.check(input_file);
     seeding.check(input_file);
     formulation.check(input_file);
@@ -131,7 +149,7 @@ namespace seiche
       "Transfer/Method",
       "FLIP acceleration updates velocities by Newmark's rule: set Time/Scheme "
       "= newmark, or another method");
-    postprocessors.check(grid, simulation_columns());
+    postprocessors.check(grid, simulation_columns(), tank_motion.any());
   }
 
   template <int dim>
@@ -176,7 +194,7 @@ namespace seiche
     return {fluid.density,
             fluid.bulk_modulus,
             NewtonianLaw{fluid.dynamic_viscosity},
-            VolumeLaw{fluid.volume_law == "logarithmic"}};
+            VolumeLaw{fluid.has_logarithmic_volume()}};
   }
 
   template struct Scene<2>;

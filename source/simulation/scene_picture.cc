@@ -71,9 +71,14 @@ namespace seiche
     std::string
     force_text(const Scene<dim> &scene, const Point<dim> &place)
     {
-      const BodyForce<dim> force(scene.body_force, scene.input);
-      const Tensor<1, dim> b      = force.value(place, /*t=*/0.);
-      std::string          result = "body force";
+      const TankMotion<dim> tank(scene.tank_motion,
+                                 scene.grid,
+                                 scene.input,
+                                 scene.time.end_time,
+                                 scene.time.step);
+      const BodyForce<dim>  force(scene.body_force, tank, scene.input);
+      const Tensor<1, dim>  b      = force.value(place, /*t=*/0.);
+      std::string           result = "body force";
       for (unsigned int d = 0; d < dim; ++d)
         result += fmt::format("{} {:.4g}", d == 0 ? "" : ";", b[d]);
       return result + " m/s^2";

@@ -153,7 +153,9 @@ namespace seiche
     const double start = initial_speed(bodies, map);
     if (time.control != "CFL")
       return;
-    const BodyForce<dim> force(scene.body_force, scene.input);
+    const TankMotion<dim> tank(
+      scene.tank_motion, scene.grid, scene.input, time.end_time, time.step);
+    const BodyForce<dim> force(scene.body_force, tank, scene.input);
     const double         speed = std::max(start, speed_of_fall(force, map));
     steps =
       std::max(steps,

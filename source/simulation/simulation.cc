@@ -35,7 +35,12 @@ namespace seiche
     , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
     , density_projection(fill, scene.point_control.density_rate)
     , point_control(scene.point_control, points, occupancy, fill)
-    , body_force(scene.body_force, scene.input)
+    , tank_motion(scene.tank_motion,
+                  scene.grid,
+                  scene.input,
+                  scene.time.end_time,
+                  scene.time.step)
+    , body_force(scene.body_force, tank_motion, scene.input)
     , transfer(scene.transfer,
                fill,
                scene.fluid.density,
@@ -117,6 +122,8 @@ namespace seiche
         if (schedule.stop_is_wanted())
           return false;
       }
+    if (tank_motion.any())
+      balance = step_solver.balance(state);
     {
       const TimerTree::Scope scope_back(timer, "grid to points");
       move_points(speed);

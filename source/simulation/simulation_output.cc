@@ -83,8 +83,7 @@ namespace seiche
             fill,
             state,
             scene.fluid.density,
-            body_force.is_constant() ? body_force.constant_value() :
-                                       Tensor<1, dim>(),
+            body_force.gravity(time),
             scene.fluid.bulk_modulus,
             theta,
             at_end ? 1. : theta,
@@ -92,7 +91,9 @@ namespace seiche
             occupancy.smallest_extent(),
             wall_motion.box(time),
             effort.newton,
-            effort.krylov};
+            effort.krylov,
+            tank_motion.any() ? &tank_motion.at(time) : nullptr,
+            balance};
   }
 
   template <int dim>
@@ -128,8 +129,8 @@ namespace seiche
     const double energy = scene.postprocessors.relative_energy();
     if (step > 0)
       report.progress(time, dt, effort.newton, effort.krylov, energy);
-    const bool is_isolated =
-      body_force.is_constant() && !step_solver.walls_move();
+    const bool is_isolated = (body_force.is_constant() || tank_motion.any()) &&
+                             !step_solver.walls_move();
     // a soft fluid takes its energy back from the volume
     const double gain = scene.fluid.is_incompressible() ?
                           scene.postprocessors.relative_energy_gain() :

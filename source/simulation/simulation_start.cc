@@ -13,7 +13,7 @@ namespace seiche
   void
   Simulation<dim>::begin()
   {
-    scene.postprocessors.make(directory, grid, communicator);
+    scene.postprocessors.make(directory, grid, communicator, tank_motion.any());
     const FormulationParameters &form = scene.formulation;
     if (form.is_mixed() && !form.stabilization.has_inertia() &&
         !form.lumps_inertia())

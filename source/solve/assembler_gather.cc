@@ -44,6 +44,17 @@ namespace seiche
         nodes.expand(data.acceleration[i]);
         nodes.expand(data.rate_velocity[i]);
       }
+    data.turns = step.body_force && body_force.tank.any();
+    if (data.turns)
+      {
+        data.coriolis =
+          body_force.tank.at(time + step.theta * step.dt).coriolis;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int k = 0; k < dim; ++k)
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              data.acceleration[i][a] +=
+                data.coriolis[i][k] * data.rate_velocity[k][a];
+      }
     if (state.has_pressure())
       {
         for (unsigned int a = 0; a < n_nodes; ++a)

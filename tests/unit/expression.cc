@@ -71,7 +71,12 @@ main(int argc, char **argv)
 
   seiche::BodyForceParameters<3> parameters;
   parameters.acceleration = "0; 0; -9.81*cos(t)";
-  const seiche::BodyForce<3> force(parameters, input);
+  const seiche::TankMotion<3> at_rest(seiche::TankMotionParameters<3>(),
+                                      seiche::GridParameters<3>(input),
+                                      input,
+                                      /*end_time=*/1.,
+                                      /*step=*/0.1);
+  const seiche::BodyForce<3>  force(parameters, at_rest, input);
   std::cout << force.value(dealii::Point<3>(), 0.) << " constant "
             << force.is_constant() << std::endl;
 }

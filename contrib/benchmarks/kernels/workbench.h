@@ -64,7 +64,12 @@ struct Workbench : ParsedScene<dim>
                                          fill,
                                          scene.fluid.density,
                                          seiche::VolumeRatio::one))
-    , body_force(scene.body_force, scene.input)
+    , tank_motion(scene.tank_motion,
+                  scene.grid,
+                  scene.input,
+                  scene.time.end_time,
+                  scene.time.step)
+    , body_force(scene.body_force, tank_motion, scene.input)
     , wall_motion(scene.grid, scene.input, scene.time.end_time)
     , wall_velocity(scene.grid, scene.input, scene.time.end_time)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
@@ -135,6 +140,7 @@ struct Workbench : ParsedScene<dim>
   seiche::Occupancy<dim>                          occupancy;
   seiche::Fill<dim>                               fill;
   const std::unique_ptr<seiche::Quadrature<dim>>  quadrature;
+  const seiche::TankMotion<dim>                   tank_motion;
   const seiche::BodyForce<dim>                    body_force;
   const seiche::WallMotion<dim>                   wall_motion;
   const seiche::WallVelocity<dim>                 wall_velocity;

@@ -34,6 +34,13 @@ namespace seiche
       return std::isinf(bulk_modulus);
     }
 
+    /// True if the pressure goes with ln J; J = 1 needs no law.
+    bool
+    has_logarithmic_volume() const
+    {
+      return !is_incompressible() && volume_law == "logarithmic";
+    }
+
     /// Reads the bulk modulus; InputError for what makes no sense.
     void
     check(const InputFile &input);

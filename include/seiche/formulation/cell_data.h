@@ -38,7 +38,8 @@ namespace seiche
     CellQuadrature<dim> quadrature;
 
     alignas(64) NodalVector displacement;  ///< u [m]
-    alignas(64) NodalVector acceleration;  ///< C_a u + offset [m/s^2]
+    alignas(64) NodalVector acceleration;  ///< C_a u + offset, and the
+                                           ///< Coriolis acceleration [m/s^2]
     alignas(64) NodalVector rate_velocity; ///< c_r u + offset [m/s]
     alignas(64) NodalScalar pressure;      ///< p [Pa], mixed form only
 
@@ -47,6 +48,11 @@ namespace seiche
     bool orthogonal = false;
     alignas(64) NodalVector projected_momentum;
     alignas(64) NodalScalar projected_constraint;
+
+    /// In a tank that turns: of the Coriolis acceleration coriolis v, v the
+    /// rate's velocity, which is part of the acceleration [1/s].
+    bool                   turns = false;
+    dealii::Tensor<2, dim> coriolis;
 
     /// Body acceleration [m/s^2]: one value, or one per quadrature point.
     dealii::Tensor<1, dim>               constant_body_force;
@@ -66,6 +72,14 @@ namespace seiche
     shortest_edge() const
     {
       return *std::min_element(extent.begin_raw(), extent.end_raw());
+    }
+
+    /// Derivative of the acceleration with respect to u, beside that of the
+    /// scheme, over C_a: d(acceleration) = C_a (I + this) du [-].
+    dealii::Tensor<2, dim>
+    coriolis_over_inertia() const
+    {
+      return coefficients.rate / coefficients.inertia * coriolis;
     }
 
     /// At the point q, or at as many as a Number has.

@@ -47,7 +47,7 @@ namespace seiche
 
     /**
      * Add the derivative of the above with respect to u:
-     * m C_a du.w + V_t ds:grad_t w
+     * m C_a du.w (and the Coriolis acceleration's) + V_t ds:grad_t w
      * + theta V_t {(div_t du) S:grad_t w - S:(grad_t w grad_t du)}
      * + bulk V_t dg[du] div_t w,
      * where S = s - pressure I, ds = 2 mu dev(sym((c_r I - theta l) grad_t
@@ -281,6 +281,12 @@ namespace seiche
             const double weight = sum(mass * point.lumped(a));
             for (unsigned int i = 0; i < dim; ++i)
               cell.uu[i][i][a][a] += weight;
+            for_each_coriolis_term(cell,
+                                   [&](const unsigned int i,
+                                       const unsigned int k,
+                                       const double       share) {
+                                     cell.uu[i][k][a][a] += share * weight;
+                                   });
           }
       else
         {
@@ -293,8 +299,31 @@ namespace seiche
                 row += m[q] * N.values[q][a] * N.row(q);
               for (unsigned int i = 0; i < dim; ++i)
                 store_row(load_row(cell.uu[i][i][a]) + row, cell.uu[i][i][a]);
+              for_each_coriolis_term(cell,
+                                     [&](const unsigned int i,
+                                         const unsigned int k,
+                                         const double       share) {
+                                       store_row(load_row(cell.uu[i][k][a]) +
+                                                   share * row,
+                                                 cell.uu[i][k][a]);
+                                     });
             }
         }
+    }
+
+    /// Call add(i, k, C_ik) for the entries of coriolis_over_inertia() that are
+    /// not zero in every frame.
+    template <typename Add>
+    static void
+    for_each_coriolis_term(const CellData<dim, degree> &cell, const Add &add)
+    {
+      if (!cell.turns)
+        return;
+      const dealii::Tensor<2, dim> shares = cell.coriolis_over_inertia();
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int k = 0; k < dim; ++k)
+          if (i != k)
+            add(i, k, shares[i][k]);
     }
   };
 } // namespace seiche

@@ -60,6 +60,36 @@ namespace seiche
         }
     }
 
+    /// The Coriolis acceleration in the momentum's subscale: pu += grad
+    /// q.(coriolis_over_inertia du) inertia; @p inertia as in add_couplings().
+    static void
+    add_coriolis(CellData<dim, degree> &cell,
+                 const Kinematics      &point,
+                 const unsigned int     n_points,
+                 const Lanes (&inertia)[n_nodes])
+    {
+      const dealii::Tensor<2, dim> shares = cell.coriolis_over_inertia();
+      const PointRows<n_nodes>     inertia_rows(inertia);
+      for (unsigned int k = 0; k < dim; ++k)
+        {
+          Lanes turned[n_nodes];
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            {
+              turned[a] = 0.;
+              for (unsigned int i = 0; i < dim; ++i)
+                turned[a] += shares[i][k] * point.gradient_t[i][a];
+            }
+          const PointRows<n_nodes> turned_rows(turned);
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            {
+              Row<n_nodes> pu = load_row(cell.pu[k][a]);
+              for (unsigned int q = 0; q < n_points; ++q)
+                pu += turned_rows.values[q][a] * inertia_rows.row(q);
+              store_row(pu, cell.pu[k][a]);
+            }
+        }
+    }
+
     /// pp += compliance q p + fine grad q.grad p; @p compliance V/kappa
     /// [m^dim/Pa], @p fine V_t tau1 [m^(dim+2)/Pa].
     static void

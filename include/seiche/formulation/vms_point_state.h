@@ -68,6 +68,8 @@ namespace seiche
         {
           acceleration_gradient =
             point.gradient(cell.acceleration, point.gradient_t);
+          if (cell.turns) // the constraint is one on relative motion
+            acceleration_gradient -= coriolis_gradient(cell);
           constraint -=
             step.jerk_constraint *
             dealii::trace(3. * l * acceleration_gradient - 2. * l * l * l);
@@ -103,6 +105,17 @@ namespace seiche
       pressure += fine_pressure;
       for (unsigned int i = 0; i < dim; ++i)
         stress[i][i] -= pressure;
+    }
+
+    /// grad_t (coriolis v) = coriolis l.
+    dealii::Tensor<2, dim, Number>
+    coriolis_gradient(const CellData<dim, degree> &cell) const
+    {
+      dealii::Tensor<2, dim, Number> result;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int k = 0; k < dim; ++k)
+          result[i] += cell.coriolis[i][k] * velocity_gradient[k];
+      return result;
     }
 
     /// slope[k][b] = d(constraint)/d(u_kb) without the pressure's share:

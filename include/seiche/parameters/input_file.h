@@ -65,6 +65,10 @@ namespace seiche
     bool
     is_set(const std::string &path) const;
 
+    /// True if some value calls a function: NAME(...).
+    bool
+    calls(const std::string &name) const;
+
     /// Hand all entries to the declarations. Throws InputError for an unknown
     /// entry or subsection (with the nearest name), a value that its pattern
     /// refuses (with what is allowed), a mandatory entry that is not set.

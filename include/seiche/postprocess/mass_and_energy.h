@@ -3,6 +3,7 @@
 #define seiche_postprocess_mass_and_energy_h
 
 #include <seiche/postprocess/postprocessor.h>
+#include <seiche/postprocess/tank_record.h>
 
 #include <array>
 
@@ -16,13 +17,20 @@ namespace seiche
    * 2D are per metre of depth. The angular momentum is taken about the
    * origin, without the spin of the velocity gradient. Potential energy is
    * counted from the lowest point of the domain box; with a body force that
-   * varies it is left out.
+   * varies it is left out. In a tank that moves both energies are those of its
+   * frame, and what its motion has worked is taken off their sum.
    */
   template <int dim>
   class MassAndEnergy : public Postprocessor<dim>
   {
   public:
-    explicit MassAndEnergy(const BackgroundGrid<dim> &grid);
+    /// @p tank: that of a tank that moves, or null; executed before.
+    MassAndEnergy(const BackgroundGrid<dim> &grid, const TankRecord<dim> *tank);
+
+    /// Corner of the box at the start that the potential energy counts from
+    /// [m], as a vector.
+    static dealii::Tensor<1, dim>
+    zero_of_potential(const StepView<dim> &view);
 
     /// Names of the columns, in order.
     static std::vector<std::string>
@@ -94,7 +102,15 @@ namespace seiche
     Totals
     sum_up(const StepView<dim> &view) const;
 
+    /// Of the fluid now, less the work of the tank [J].
+    double
+    energy() const
+    {
+      return now.energy() - (tank != nullptr ? tank->work() : 0.);
+    }
+
     const BackgroundGrid<dim> &grid;
+    const TankRecord<dim>     *tank;
 
     Totals       start, now;
     bool         started          = false;

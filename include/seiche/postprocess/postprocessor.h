@@ -7,6 +7,8 @@
 #include <seiche/grid/occupancy.h>
 #include <seiche/points/point_cloud.h>
 #include <seiche/postprocess/statistics_table.h>
+#include <seiche/scene/tank_motion.h>
+#include <seiche/solve/step_balance.h>
 
 #include <deal.II/base/bounding_box.h>
 
@@ -35,8 +37,9 @@ namespace seiche
     const Fill<dim>       &fill;
     const GridState<dim>  &state;
     double                 density; ///< [kg/m^3]
-    /// Constant body acceleration [m/s^2]; zero if it varies in space or time
-    /// (the ledger's energy is then kinetic only).
+    /// Constant body acceleration [m/s^2], in the axes of the tank as it is
+    /// now; zero if it varies in space or time (the ledger's energy is then
+    /// kinetic only).
     dealii::Tensor<1, dim> gravity;
     /// Bulk modulus [Pa], infinity allowed.
     double bulk_modulus;
@@ -49,6 +52,8 @@ namespace seiche
     dealii::BoundingBox<dim> box; ///< of the walls at the end of the step
     unsigned int             newton_iterations = 0; ///< of this step, all tries
     unsigned int             krylov_iterations = 0; ///< of this step, all tries
+    const TankPose<dim>     *tank = nullptr; ///< at the end of the step, if any
+    StepBalance<dim>         balance = {};   ///< with a tank that moves
   };
 
   /**

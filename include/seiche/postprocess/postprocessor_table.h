@@ -48,16 +48,19 @@ namespace seiche
 
     /// Check the parsed entries (names of columns and walls, expressions,
     /// reference tables). @p other_columns: of the statistics, beside those
-    /// that the postprocessors add. InputError with place.
+    /// that the postprocessors add; @p tank_moves: a "Tank motion" adds some.
+    /// InputError with place.
     void
     check(const GridParameters<dim>      &grid,
-          const std::vector<std::string> &other_columns) const;
+          const std::vector<std::string> &other_columns,
+          const bool                      tank_moves = false) const;
 
     /// Make the postprocessors. @p directory empty: no files (validation).
     void
     make(const std::string         &directory,
          const BackgroundGrid<dim> &grid,
-         const MPI_Comm             communicator);
+         const MPI_Comm             communicator,
+         const bool                 tank_moves = false);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics);

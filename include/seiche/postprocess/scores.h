@@ -2,9 +2,9 @@
 #ifndef seiche_postprocess_scores_h
 #define seiche_postprocess_scores_h
 
-#include <seiche/postprocess/reference_table.h>
 #include <seiche/postprocess/statistics_table.h>
 #include <seiche/scene/expression.h>
+#include <seiche/scene/time_table.h>
 
 #include <memory>
 #include <optional>
@@ -89,9 +89,9 @@ namespace seiche
     std::vector<Row>
     sample(const std::vector<Row> &all, std::string &warning) const;
 
-    std::vector<double>                   times;
-    std::unique_ptr<const Expression<2>>  expression;
-    std::unique_ptr<const ReferenceTable> table;
+    std::vector<double>                  times;
+    std::unique_ptr<const Expression<2>> expression;
+    std::unique_ptr<const TimeTable>     table;
   };
 } // namespace seiche
 

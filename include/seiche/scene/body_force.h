@@ -2,10 +2,7 @@
 #ifndef seiche_scene_body_force_h
 #define seiche_scene_body_force_h
 
-#include <seiche/scene/expression.h>
-
-#include <deal.II/base/point.h>
-#include <deal.II/base/tensor.h>
+#include <seiche/scene/tank_motion.h>
 
 #include <string>
 
@@ -27,24 +24,29 @@ namespace seiche
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /// Parses the expressions; InputError for what is no expression.
+    /// Parses the expressions; InputError for what is no expression, or not
+    /// defined up to @p end_time [s].
     void
-    check(const InputFile &input) const;
+    check(const InputFile &input, const double end_time) const;
   };
 
   /**
-   * @brief Acceleration that acts on all of the fluid: gravity or expressions
-   * of position and time.
+   * @brief Acceleration that acts on all of the fluid at rest in the tank:
+   * gravity or expressions of position and time, in the tank's axes, less the
+   * acceleration of the place itself in a tank that moves. What depends on the
+   * velocity, the Coriolis acceleration, belongs to the inertia.
    */
   template <int dim>
   class BodyForce
   {
   public:
-    /// @p input must outlive the object. Throws InputError.
+    /// @p tank_motion and @p input must outlive the object. Throws InputError.
     BodyForce(const BodyForceParameters<dim> &parameters,
+              const TankMotion<dim>          &tank_motion,
               const InputFile                &input);
 
-    /// Acceleration [m/s^2] at a place [m] and time [s].
+    /// Acceleration [m/s^2] at a place [m] and time [s]: R^T (g - d'') - R^T
+    /// R'' (x - c), see TankPose; g that at the place in the laboratory.
     dealii::Tensor<1, dim>
     value(const dealii::Point<dim> &x, const double t) const;
 
@@ -56,8 +58,15 @@ namespace seiche
     const dealii::Tensor<1, dim> &
     constant_value() const;
 
+    /// Of a constant "Acceleration" what it is in the tank's axes [m/s^2], of
+    /// any other one zero.
+    dealii::Tensor<1, dim>
+    gravity(const double t) const;
+
+    const TankMotion<dim> &tank;
+
   private:
-    Expression<dim>        acceleration;
+    Expression<dim>        acceleration; ///< in the laboratory
     dealii::Tensor<1, dim> constant;
   };
 } // namespace seiche

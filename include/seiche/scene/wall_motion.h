@@ -45,7 +45,8 @@ namespace seiche
     double
     velocity(const unsigned int side, const double time, const double dt) const;
 
-    /// The most that a side moves in a step from @p time [m].
+    /// The most that a side moves in a step from @p time [m], which ends with
+    /// the run.
     double
     largest_way(const double time, const double dt) const;
 
@@ -67,20 +68,12 @@ namespace seiche
     void
     check(const GridParameters<dim> &parameters,
           const InputFile           &input,
-          const unsigned int         side,
-          const double               end_time) const;
-
-    /// True if the wall moves by more than @p slow [m] between two times [s],
-    /// most of it at once.
-    bool
-    jumps(const unsigned int side,
-          double             begin,
-          double             end,
-          const double       slow) const;
+          const unsigned int         side) const;
 
     std::array<std::optional<Expression<dim>>, 2 * dim> expressions;
     std::array<std::array<double, 2>, dim> sides; ///< at the start [m]
     std::array<std::array<double, 2>, dim> fixed; ///< first, last fixed line
+    const double                           last_time; ///< of the run [s]
   };
 } // namespace seiche
 

@@ -14,6 +14,7 @@
 #include <seiche/scene/background_grid.h>
 #include <seiche/scene/body_force.h>
 #include <seiche/scene/fluid_body.h>
+#include <seiche/scene/time_table.h>
 #include <seiche/simulation/checkpoint_schedule.h>
 #include <seiche/solve/linear_solver.h>
 #include <seiche/solve/newton.h>
@@ -60,7 +61,9 @@ namespace seiche
     const InputFile &input;
 
     GridParameters<dim>                   grid;
+    std::vector<TableParameters>          tables;
     BodyForceParameters<dim>              body_force;
+    TankMotionParameters<dim>             tank_motion;
     FluidParameters                       fluid;
     std::vector<FluidBodyParameters<dim>> bodies;
     SeedingParameters                     seeding;

@@ -163,6 +163,7 @@ namespace seiche
     Fill<dim>                               fill;
     DensityProjection<dim>                  density_projection;
     PointControl<dim>                       point_control;
+    const TankMotion<dim>                   tank_motion;
     const BodyForce<dim>                    body_force;
     const Transfer<dim>                     transfer;
     GridState<dim>                          state;
@@ -170,6 +171,8 @@ namespace seiche
     TimeStepper                             time_stepper;
     AcceptedFailures                        accepted_failures;
     StatisticsTable                         statistics;
+
+    StepBalance<dim> balance; ///< of the last step, if the tank moves
 
     bool material_is_found     = false; ///< where the points are now
     bool points_are_controlled = false; ///< PointControl has seen to them

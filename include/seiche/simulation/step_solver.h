@@ -58,6 +58,13 @@ namespace seiche
     std::string
     solve(GridState<dim> &state, const bool projects, const bool is_repeated);
 
+    /// Of the step that solve() has done, before its points move. Collective.
+    StepBalance<dim>
+    balance(const GridState<dim> &state)
+    {
+      return assembler.balance(state);
+    }
+
     /// True if walls move and so may give energy to the fluid.
     bool
     walls_move() const

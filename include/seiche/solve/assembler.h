@@ -7,6 +7,7 @@
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/scene/body_force.h>
 #include <seiche/solve/block_matrix.h>
+#include <seiche/solve/step_balance.h>
 #include <seiche/utilities/timer_tree.h>
 
 #include <tuple>
@@ -77,6 +78,10 @@ namespace seiche
     void
     tangent(const GridState<dim> &state, BlockMatrix<dim> &matrix);
 
+    /// Of a converged state, before its points move. Collective.
+    StepBalance<dim>
+    balance(const GridState<dim> &state);
+
     const StepCoefficients &
     coefficients() const
     {
@@ -106,6 +111,13 @@ namespace seiche
 
     void
     add_tangent(const GridState<dim> &state, BlockMatrix<dim> &matrix);
+
+    /// Add a cell's part.
+    template <int degree>
+    void
+    add_balance(const unsigned int    cell,
+                const GridState<dim> &state,
+                StepBalance<dim>     &balance);
 
     /// Fill the workspace with cell and nodal values.
     template <int degree>

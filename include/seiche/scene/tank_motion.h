@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_scene_tank_motion_h
+#define seiche_scene_tank_motion_h
+
+#include <seiche/scene/expression.h>
+#include <seiche/scene/grid_parameters.h>
+
+#include <array>
+#include <optional>
+
+namespace seiche
+{
+  /// prm entries of "Tank motion".
+  template <int dim>
+  struct TankMotionParameters
+  {
+    std::string displacement; // expressions [m], or empty
+    std::string rotation;     // expressions [rad], or empty
+    std::string centre = (dim == 2 ? "0, 0" : "0, 0, 0"); // [m]
+
+    void
+    add_parameters(dealii::ParameterHandler &prm);
+
+    /// Entries without effect; TankMotion looks at the others.
+    void
+    check(const InputFile &input) const;
+
+    /// True if the tank moves.
+    bool
+    any() const
+    {
+      return !displacement.empty() || !rotation.empty();
+    }
+  };
+
+  /**
+   * @brief Where the tank is at some time, and how it moves: X = c + d + R (x -
+   * c) takes a place x of the tank to the laboratory, c the centre.
+   */
+  template <int dim>
+  struct TankPose
+  {
+    static constexpr unsigned int n_angles = (dim == 2 ? 1 : 3);
+
+    dealii::Tensor<1, dim>       displacement; ///< d [m]
+    std::array<double, n_angles> angles{};     ///< [rad], roll, pitch, yaw
+    dealii::Tensor<2, dim>       rotation;     ///< R [-]
+    dealii::Tensor<1, dim>       acceleration; ///< R^T d'' [m/s^2]
+    dealii::Tensor<2, dim>       of_place;     ///< R^T R'' [1/s^2]
+    dealii::Tensor<2, dim>       coriolis;     ///< 2 R^T R' [1/s]
+  };
+
+  /**
+   * @brief Motion of the tank, in whose frame a scene is computed
+   * (doc/theory.md, moving tank).
+   */
+  template <int dim>
+  class TankMotion
+  {
+  public:
+    /// @p step: the largest of the run [s]. Throws InputError for what is no
+    /// expression of t, jumps, or ends before @p end_time [s].
+    TankMotion(const TankMotionParameters<dim> &parameters,
+               const GridParameters<dim>       &grid,
+               const InputFile                 &input,
+               const double                     end_time,
+               const double                     step);
+
+    /// True if the tank moves.
+    bool
+    any() const
+    {
+      return displacement || rotation;
+    }
+
+    /// The pose at a time of the run [s]; the last one asked for is kept.
+    const TankPose<dim> &
+    at(const double time) const;
+
+    const dealii::Point<dim> centre; ///< [m]
+
+  private:
+    static constexpr unsigned int n_angles = TankPose<dim>::n_angles;
+
+    std::optional<Expression<dim>> displacement, rotation;
+    const double                   end_time;
+    const double                   spacing; ///< of differences in time [s]
+
+    mutable double        time_of_pose;
+    mutable TankPose<dim> pose;
+  };
+} // namespace seiche
+
+#endif
