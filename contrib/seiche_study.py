@@ -30,7 +30,7 @@ NODES = (
     ast.Tuple, ast.List,
 )
 TABLES = {"title", "base", "timeout", "restart", "set", "vary", "variants", "sample", "skip",
-          "collect", "fail", "plot"}
+          "collect", "fail", "plot", "error_bars"}
 PLOT_KEYS = {"kind", "file", "title", "x", "y", "line", "panel", "only", "names"}
 PLOT_KINDS = ("work", "convergence", "map")
 ALWAYS = {  # columns of every study
@@ -146,11 +146,12 @@ def base_text(path, seen=()):
 
 
 class Variant:
-    """One run: name of its folder, parameter file, entries, all settings."""
+    """One run: name of its folder, parameter file, entries, all settings; those
+    before the evaluation of expressions are the raw ones."""
 
-    def __init__(self, base, text, settings, label_names):
+    def __init__(self, base, text, settings, label_names, raw):
         self.base = base
-        self.settings = settings
+        self.settings, self.raw, self.labels = settings, raw, label_names
         self.entries = {name: text_of(v) for name, v in settings.items() if "/" in name}
         content = json.dumps([text, self.entries], sort_keys=True)
         label = "_".join(
@@ -188,6 +189,7 @@ class Study:
         self.restart = bool(self.data.get("restart", False))
         self.columns = {**ALWAYS, **self.data.get("collect", {})}
         self.conditions = self.data.get("fail", {})
+        self.texts = {}  # of the parameter files
         self.variants = self.expand()
         self.settings = list(dict.fromkeys(n for v in self.variants for n in v.settings))
         self.plots = self.data.get("plot", [])
@@ -290,7 +292,7 @@ class Study:
         return [dict(zip(columns, row)) for row in zip(*columns.values())]
 
     def expand(self):
-        variants, texts, names = [], {}, set()
+        variants, names = [], set()
         factors = self.factors()
         labels = [n for n, _ in factors if n != "sample"]
         labels += [n for n in self.data.get("sample", {}) if n not in ("count", "seed")]
@@ -302,26 +304,31 @@ class Study:
                         self.fail(f"{key!r} is set by {owner[key]!r} and by {factor!r}")
                     owner[key] = factor
                     raw[key] = value
-            settings = Names({"base": self.data.get("base"), **raw}, self.path)
-            settings = {key: settings[key] for key in settings}
+            variant = self.variant({"base": self.data.get("base"), **raw}, labels)
+            settings = {"base": variant.base, **variant.settings}
             if any(evaluate(text, settings, f"{self.path}: skip")
                    for text in self.data.get("skip", [])):
                 continue
-            if not isinstance(settings["base"], str):
-                self.fail("'base', the parameter file, is missing")
-            base = os.path.normpath(os.path.join(os.path.dirname(self.path), settings.pop("base")))
-            if not os.path.isfile(base):
-                self.fail(f"base: there is no file {base}")
-            if base not in texts:
-                texts[base] = base_text(base)
-            first = {n: settings[n] for n in labels if n in settings}
-            variant = Variant(base, texts[base], {**first, **settings}, labels)
             if variant.name not in names:
                 names.add(variant.name)
                 variants.append(variant)
         if not variants:
             self.fail("'skip' leaves no variant")
         return variants
+
+    def variant(self, raw, labels):
+        """The run of settings whose expressions are not evaluated yet."""
+        names = Names(raw, self.path)
+        settings = {key: names[key] for key in names}
+        if not isinstance(settings["base"], str):
+            self.fail("'base', the parameter file, is missing")
+        base = os.path.normpath(os.path.join(os.path.dirname(self.path), settings.pop("base")))
+        if not os.path.isfile(base):
+            self.fail(f"base: there is no file {base}")
+        if base not in self.texts:
+            self.texts[base] = base_text(base)
+        first = {n: settings[n] for n in labels if n in settings}
+        return Variant(base, self.texts[base], {**first, **settings}, labels, raw)
 
     # ---- results ----
 

@@ -5,7 +5,8 @@
     contrib/seiche_study_plots.py FILE.toml DIR
 
 reads DIR/results.csv and writes one PNG for each [[plot]] of the study file,
-and DIR/orders.csv with the fitted orders of the convergence plots.
+and DIR/orders.csv with the fitted orders of the convergence plots. Error bars of
+DIR/error_bars.csv, if it is there, become bands.
 """
 
 import csv
@@ -47,6 +48,16 @@ def read_rows(path):
 
     with open(path, newline="", encoding="utf-8") as file:
         return [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
+
+
+def add_error_bars(rows, path):
+    """Each row gets its "bands": {quantity: (low, high)}."""
+    bars = {}
+    for bar in read_rows(path) if os.path.exists(path) else ():
+        if bar["low"] is not None:
+            bars.setdefault(bar["folder"], {})[bar["quantity"]] = (bar["low"], bar["high"])
+    for row in rows:
+        row["bands"] = bars.get(row["folder"], {})
 
 
 def is_positive(value):
@@ -115,6 +126,23 @@ def styles(rows, plot):
             for i, label in enumerate(labels)}
 
 
+def draw_bands(axes, rows, plot, quantity, x, style):
+    """Error bars around the lines that are drawn already; what they have below the
+    axis is cut off."""
+    bottom, bands = axes.get_ylim()[0], {}
+    for row in rows:
+        if quantity in row["bands"] and is_positive(row.get(x)) and is_positive(row.get(quantity)):
+            low, high = row["bands"][quantity]
+            label = label_of(row, as_list(plot.get("line", [])))
+            bands.setdefault(label, []).append((row[x], max(low, bottom), high))
+    for label, points in bands.items():
+        places, low, high = zip(*sorted(points))
+        axes.fill_between(places, low, high, color=style[label]["color"], alpha=0.15, lw=0)
+        axes.vlines(places, low, high, color=style[label]["color"], alpha=0.4, lw=1.5)
+    if bands:
+        axes.set_ylim(bottom=bottom)
+
+
 def add_failures(axes, failed):
     """Runs without a point are named, not left out silently."""
     if failed:
@@ -134,6 +162,7 @@ def draw_work(rows, plot):
         for label, points in lines.items():
             if points:
                 axes.loglog(*zip(*points), **style[label], label=label)
+        draw_bands(axes, part, plot, quantity, x, style)
         axes.set_xlabel(shown(plot, x))
         axes.set_ylabel(shown(plot, quantity))
         axes.set_title(title, fontsize=10)
@@ -166,6 +195,7 @@ def draw_convergence(rows, plot, table):
             table.append([plot.get("file", "convergence"), title, label, quantity, len(points),
                           "" if order is None else f"{order:.3f}",
                           " ".join(f"{value:.3f}" for value in between)])
+        draw_bands(axes, part, plot, quantity, x, style)
         axes.set_xlabel(shown(plot, x))
         axes.set_ylabel(shown(plot, quantity))
         axes.set_title(title, fontsize=10)
@@ -254,6 +284,7 @@ def draw_cells(axes, stacks, colours):
 
 def draw(study, folder):
     rows, orders = read_rows(os.path.join(folder, "results.csv")), []
+    add_error_bars(rows, os.path.join(folder, "error_bars.csv"))
     for i, plot in enumerate(study.plots):
         kind = plot["kind"]
         part = [row for row in rows
