@@ -2,6 +2,7 @@
 // Every tangent against central differences of its residual, block by block,
 // at random states of one cell with random quadrature points.
 #include <seiche/formulation/formulation.h>
+#include <seiche/formulation/point_inertia.h>
 
 #include <iostream>
 #include <limits>
@@ -73,6 +74,11 @@ namespace
           cell.acceleration[i][a]  = c.inertia * u + offsets[i * n + a];
           cell.rate_velocity[i][a] = c.rate * u + 0.1 * offsets[i * n + a];
         }
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int k = 0; k < dim; ++k)
+        for (unsigned int a = 0; a < n; ++a)
+          cell.acceleration[i][a] +=
+            cell.coriolis[i][k] * cell.rate_velocity[k][a];
     for (unsigned int a = 0; a < n; ++a)
       {
         cell.pressure[a] = x[dim * n + a];
@@ -128,6 +134,7 @@ namespace
 
     set_state(cell, x, offsets);
     formulation.tangent(cell);
+    PointInertia<dim, degree>::add_tangent(cell);
     double error[2][2] = {}, size[2][2] = {};
     for (unsigned int column = 0; column < n_unknowns; ++column)
       {
@@ -139,6 +146,7 @@ namespace
             moved[column] += sign * h;
             set_state(cell, moved, offsets);
             formulation.residual(cell);
+            PointInertia<dim, degree>::add_residual(cell);
             for (unsigned int row = 0; row < n_unknowns; ++row)
               differences[row] += sign * residual_entry(cell, row) / (2. * h);
           }
@@ -224,6 +232,55 @@ namespace
             }
   }
 
+  /// In a tank that turns: a Coriolis acceleration as large as the inertia, the
+  /// points' own extent too.
+  template <int dim, int degree>
+  void
+  test_coriolis()
+  {
+    unsigned int n_exact = 0, n_all = 0;
+    for (const char *name : {"displacement-pressure", "displacement"})
+      for (const char *stabilization : {"ASGS", "OSGS", "split OSGS"})
+        for (const char *residual : {"whole", "without inertia"})
+          for (const double viscosity : {0., 0.7})
+            for (const double theta : {0.5, 1.})
+              for (const bool lumped : {false, true})
+                {
+                  FormulationParameters parameters;
+                  parameters.name                            = name;
+                  parameters.stabilization.stabilization     = stabilization;
+                  parameters.stabilization.subscale_residual = residual;
+                  const auto formulation =
+                    make_formulation<dim>(parameters,
+                                          {3.,
+                                           /*bulk_modulus=*/50.,
+                                           NewtonianLaw{viscosity},
+                                           VolumeLaw()});
+                  CellData<dim, degree> cell;
+                  fill_cell(cell, theta, /*elastic_middle=*/false, lumped);
+                  cell.orthogonal = parameters.stabilization.is_orthogonal();
+                  cell.extent_inertia = 0.02;
+                  cell.turns          = true;
+                  for (unsigned int i = 0; i < dim; ++i)
+                    for (unsigned int k = 0; k < i; ++k)
+                      {
+                        cell.coriolis[i][k] = 15. + 5. * i - 8. * k;
+                        cell.coriolis[k][i] = -cell.coriolis[i][k];
+                      }
+                  ++n_all;
+                  const double error = tangent_error(*formulation, cell);
+                  if (error < 1e-6)
+                    ++n_exact;
+                  else
+                    std::cout << name << ' ' << stabilization << ' ' << residual
+                              << " mu " << viscosity << " theta " << theta
+                              << (lumped ? " lumped" : "")
+                              << ": WRONG, relative error " << error << '\n';
+                }
+    std::cout << dim << "D Q" << degree << " Coriolis: " << n_exact << " of "
+              << n_all << " exact\n";
+  }
+
   /// Viscous terms are in the tangent unless they are negligible.
   template <int dim, int degree>
   void
@@ -292,6 +349,10 @@ namespace
 int
 main()
 {
+  test_coriolis<2, 1>();
+  test_coriolis<3, 1>();
+  test_coriolis<2, 2>();
+  test_coriolis<3, 2>();
   test_small_turn<2, 1>();
   test_small_turn<3, 1>();
   test_small_turn<2, 2>();
