@@ -2,6 +2,7 @@
 #include <seiche/parameters/command_line.h>
 #include <seiche/parameters/input_file.h>
 #include <seiche/simulation/run.h>
+#include <seiche/simulation/self_test.h>
 #include <seiche/utilities/exceptions.h>
 #include <seiche/utilities/printable.h>
 
@@ -70,6 +71,8 @@ namespace
                                   "space there, or give another file.");
         return ExitCode::finished;
       }
+    if (command_line.self_test)
+      return seiche::self_test(command_line.overrides);
     const seiche::InputFile input(command_line.filename,
                                   command_line.overrides);
     return input.dimension() == 2 ? seiche::run<2>(command_line, input) :

@@ -47,6 +47,10 @@ namespace seiche
   FreeSurfaceParameters::check(const InputFile &input,
                                const bool       is_mixed) const
   {
+    if (acceleration > 0. || velocity > 0. || (is_mixed && pressure > 0.))
+      input.cites("burman2010 coombs2023");
+    if (point_inertia > 0.)
+      input.cites("bardenhagen2004");
     input.read_only_if(is_mixed,
                        "Free surface/Ghost pressure",
                        "Formulation/Name = displacement-pressure");

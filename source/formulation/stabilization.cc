@@ -50,14 +50,16 @@ namespace seiche
     struct TauEntry
     {
       const char *name;
+      const char *papers;     ///< keys of doc/references.bib
       bool        is_uniform; ///< needs no speed
       bool        has_inertia;
       double (*inverse)(const StabilizationParameters &, const TauArguments &);
     };
 
     const std::array<TauEntry, 3> tau_table = {
-      {{"transient", true, true, transient},
+      {{"transient", "codina2002 badia2009", true, true, transient},
        {"root of squares",
+        "shakib1991",
         true,
         true,
         [](const StabilizationParameters &p, const TauArguments &cell) {
@@ -65,6 +67,7 @@ namespace seiche
                             viscous_part(p, cell));
         }},
        {"paper",
+        "codina2000",
         false,
         false,
         [](const StabilizationParameters &p, const TauArguments &cell) {
@@ -85,11 +88,25 @@ namespace seiche
       return tau_table[0];
     }
 
+    /// One row of the table of subscales.
+    struct SubscaleEntry
+    {
+      const char *name;
+      const char *papers; ///< keys of doc/references.bib
+    };
+
+    constexpr std::array<SubscaleEntry, 4> subscale_table = {
+      {{"ASGS", "codina2000"},
+       {"OSGS", "codina2000 codina2002"},
+       {"split OSGS", "codina2008"},
+       {"none", ""}}};
+
+    template <typename Table>
     std::string
-    tau_names()
+    names_of(const Table &table)
     {
       std::string names;
-      for (const TauEntry &entry : tau_table)
+      for (const auto &entry : table)
         names += (names.empty() ? "" : "|") + std::string(entry.name);
       return names;
     }
@@ -110,7 +127,7 @@ namespace seiche
                       "Subscales of the mixed form: ASGS (whole residual), "
                       "OSGS (its part orthogonal to the finite elements), "
                       "split OSGS (of the pressure gradient only) or none [-]",
-                      Patterns::Selection("ASGS|OSGS|split OSGS|none"));
+                      Patterns::Selection(names_of(subscale_table)));
     prm.add_parameter("Subscale residual",
                       subscale_residual,
                       "What the momentum's subscale resolves with ASGS and "
@@ -136,7 +153,7 @@ namespace seiche
                       "viscosity added; finite for fluid at rest), root of "
                       "squares (of the same two) or paper (quasi-static, "
                       "equation 25 of the founding paper)",
-                      Patterns::Selection(tau_names()));
+                      Patterns::Selection(names_of(tau_table)));
     prm.add_parameter("Tau speed floor",
                       speed_floor,
                       "Tau = paper: smallest speed in equation 25, which is "
@@ -183,6 +200,11 @@ namespace seiche
                        section + "Stabilization",
                        "Formulation/Name = displacement-pressure");
     const bool has_subscales = is_mixed && is_active();
+    for (const SubscaleEntry &entry : subscale_table)
+      if (is_mixed && stabilization == entry.name)
+        input.cites(entry.papers);
+    if (has_subscales)
+      input.cites(tau_entry(tau).papers);
     for (const char *entry : {"Tau",
                               "Tau inertia factor",
                               "Tau viscous factor",

@@ -63,6 +63,8 @@ namespace seiche
     input.read_only_if(sweeps > 0,
                        "Points/Shifting strength",
                        "Points/Shifting sweeps");
+    if (sweeps > 0)
+      input.cites("lind2012");
     for (const char *entry : {"Points/Fewest per cell", "Points/Most per cell"})
       input.read_only_if(reseeding, entry, "Points/Reseeding = true");
     if (fewest == 0)

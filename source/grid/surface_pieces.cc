@@ -11,7 +11,7 @@ namespace seiche
   {
     /// Area of a piece that is a point or a line but for round-off, and whose
     /// normal says nothing.
-    constexpr double negligible = 1e-12; // of the cell's faces
+    constexpr double negligible_area = 1e-12; // of the cell's faces
 
     /// Where the function vanishes on the edge between two vertices of
     /// different sign.
@@ -63,7 +63,7 @@ namespace seiche
           const Tensor<1, dim> normal = area_vector<dim>(piece);
           if (normal * (beyond - piece[0]) < 0.)
             std::swap(piece[0], piece[1]);
-          if (normal.norm() > negligible)
+          if (normal.norm() > negligible_area)
             pieces.push_back(piece);
         }
     }

@@ -211,6 +211,7 @@ namespace seiche
     {
       const char *name;
       const char *entry; ///< of subsection "Time" that it alone reads, or empty
+      const char *papers; ///< keys of doc/references.bib
       std::unique_ptr<TimeScheme<dim>> (*make)(const TimeSchemeParameters &,
                                                const bool is_incompressible);
     };
@@ -219,6 +220,7 @@ namespace seiche
     constexpr std::array<SchemeEntry<dim>, 3> scheme_table = {
       {{"generalized midpoint",
         "Rho infinity",
+        "",
         [](const TimeSchemeParameters &p,
            const bool is_incompressible) -> std::unique_ptr<TimeScheme<dim>> {
           return std::make_unique<GeneralizedMidpoint<dim>>(
@@ -229,12 +231,14 @@ namespace seiche
         }},
        {"bossak",
         "Bossak alpha",
+        "wood1980",
         [](const TimeSchemeParameters &p,
            const bool) -> std::unique_ptr<TimeScheme<dim>> {
           return std::make_unique<Bossak<dim>>(p.bossak_alpha);
         }},
        {"newmark",
         "",
+        "newmark1959",
         [](const TimeSchemeParameters &,
            const bool) -> std::unique_ptr<TimeScheme<dim>> {
           return std::make_unique<Bossak<dim>>(0.);
@@ -297,9 +301,13 @@ namespace seiche
   {
     const std::string section = "Time/";
     for (const auto &row : scheme_table<2>)
-      input.read_only_if(scheme == row.name,
-                         section + row.entry,
-                         section + "Scheme = " + row.name);
+      {
+        input.read_only_if(scheme == row.name,
+                           section + row.entry,
+                           section + "Scheme = " + row.name);
+        if (scheme == row.name)
+          input.cites(row.papers);
+      }
     input.read_only_if(scheme == "generalized midpoint" && rho_infinity == 1. &&
                          is_incompressible,
                        section + "Pressure order",

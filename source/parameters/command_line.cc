@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <deal.II/base/config.h>
-
 #include <seiche/parameters/command_line.h>
 #include <seiche/parameters/nearest_name.h>
+#include <seiche/utilities/embedded_files.h>
 #include <seiche/utilities/exceptions.h>
 #include <seiche/utilities/version.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 namespace seiche
 {
   namespace
   {
-    std::string
-    version_text()
-    {
-      return std::string("seiche ") + program_version + " (deal.II " +
-             DEAL_II_PACKAGE_VERSION + ")\n";
-    }
-
     [[noreturn]] void
     refuse(const std::string &problem)
     {
@@ -28,7 +22,8 @@ namespace seiche
         "command line: " + problem +
         " Usage: seiche FILE.prm [--set \"Subsection/Entry = "
         "value\"]... [--output DIR] [--restart] [--max-hours H] [--validate] "
-        "[--print-parameters] [--version] [--help]");
+        "[--print-parameters] [--example [NAME]] [--self-test] [--version] "
+        "[--help]");
     }
 
     /// Options must be known; a second file is one too many.
@@ -50,10 +45,62 @@ namespace seiche
                                              "--max-hours",
                                              "--validate",
                                              "--print-parameters",
+                                             "--example",
+                                             "--self-test",
                                              "--version",
                                              "--help"});
       refuse("unknown option \"" + name + "\"" + (hint.empty() ? "." : hint));
     }
+
+    /// What a scene says of itself: the first sentence of its comment.
+    std::string
+    first_sentence(const std::string &scene)
+    {
+      std::istringstream lines(scene);
+      std::string        line, text;
+      std::getline(lines, line); // the licence
+      while (std::getline(lines, line) && line.rfind("# ", 0) == 0)
+        {
+          text += (text.empty() ? "" : " ") + line.substr(2);
+          const std::size_t end = text.find(". ");
+          if (end != std::string::npos || text.back() == '.')
+            return text.substr(0, end);
+        }
+      return text;
+    }
+
+    /// Of --example: the scene, or the list of them.
+    std::string
+    example_text(const std::string &name)
+    {
+      std::string              list;
+      std::vector<std::string> names;
+      for (const EmbeddedFile &file : embedded_files("examples"))
+        {
+          if (name == file.name)
+            return file.text;
+          names.emplace_back(file.name);
+          list += names.back() +
+                  std::string(std::max<int>(1, 16 - names.back().size()), ' ') +
+                  first_sentence(file.text) + "\n";
+        }
+      if (!name.empty())
+        refuse("there is no example \"" + name + "\"" +
+               (nearest_hint(name, names).empty() ?
+                  ". Examples: " + quoted_list(names) + "." :
+                  nearest_hint(name, names)));
+      return list + "\nTo start:  seiche --example " + names.front() +
+             " > scene.prm && seiche scene.prm\n";
+    }
+
+    constexpr const char *help_footer =
+      "To start:\n"
+      "  seiche --example dam_break > dam.prm; seiche dam.prm; seiche-plot dam\n"
+      "On several ranks: mpirun -n 2 seiche dam.prm\n"
+      "\n"
+      "Exit codes: 0 finished, 1 internal error, 2 mistake in the input, "
+      "3 numerical failure, 4 a file cannot be written or read, 5 stopped "
+      "(--restart goes on), 6 fails a verdict.";
   } // namespace
 
 
@@ -63,6 +110,7 @@ namespace seiche
   {
     CommandLine result;
     bool        version = false;
+    std::string example_name;
 
     CLI::App app("Incompressible free-surface flow by the material point "
                  "method.",
@@ -92,7 +140,22 @@ namespace seiche
     app.add_flag("--print-parameters",
                  result.print_parameters,
                  "Describe all entries of parameter files (markdown)");
-    app.add_flag("--version", version, "Print the version");
+    const CLI::Option *example =
+      app
+        .add_option("--example",
+                    example_name,
+                    "Print a commented scene to start from; without NAME: "
+                    "list them")
+        ->type_name("[NAME]")
+        ->expected(0, 1);
+    app.add_flag("--self-test",
+                 result.self_test,
+                 "Say within half a minute whether this build computes what "
+                 "it should");
+    app.add_flag("--version",
+                 version,
+                 "Print the versions of program and libraries");
+    app.footer(help_footer);
 
     try
       {
@@ -111,7 +174,9 @@ namespace seiche
     check_remaining(app.remaining());
     if (version)
       result.text = version_text();
-    if (version || result.print_parameters)
+    else if (example->count() > 0)
+      result.text = example_text(example_name);
+    if (!result.text.empty() || result.print_parameters || result.self_test)
       return result;
     if (result.filename.empty())
       refuse("no parameter file is given.");

@@ -3,6 +3,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/parameters/nearest_name.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/references.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/utilities.h>
@@ -114,6 +115,13 @@ namespace seiche
 
 
 
+  InputFile::InputFile(const SceneEntries &entries)
+    : filename("program")
+    , text(read_entries(entries))
+  {}
+
+
+
   InputFile
   InputFile::for_documentation()
   {
@@ -217,6 +225,21 @@ namespace seiche
     if (std::find(set_in_vain.begin(), set_in_vain.end(), text) ==
         set_in_vain.end())
       set_in_vain.push_back(text);
+  }
+
+
+
+  void
+  InputFile::cites(const std::string &keys) const
+  {
+    for (const std::string &key :
+         dealii::Utilities::split_string_list(keys, ' '))
+      if (!key.empty() &&
+          std::find(papers.begin(), papers.end(), key) == papers.end())
+        {
+          (void)reference(key); // must be there
+          papers.push_back(key);
+        }
   }
 
 

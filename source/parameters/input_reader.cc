@@ -330,26 +330,57 @@ namespace seiche
 
 
 
+  namespace
+  {
+    /// The names of a path "Subsection/Entry"; none if one is empty.
+    std::vector<std::string>
+    parts_of(const std::string &path)
+    {
+      std::vector<std::string> names;
+      for (std::size_t begin = 0; begin <= path.size();)
+        {
+          const std::size_t end = std::min(path.find('/', begin), path.size());
+          names.push_back(trim(path.substr(begin, end - begin)));
+          if (names.back().empty())
+            return {};
+          begin = end + 1;
+        }
+      return names;
+    }
+
+    /// Set the entry of the last of the names in the subsections of the others.
+    void
+    set_entry(const std::vector<std::string> &names,
+              const std::string              &value,
+              const std::string              &origin,
+              InputText                      &text)
+    {
+      const std::vector<std::string> around(names.begin(), names.end() - 1);
+      for (const std::string &name : around)
+        if (const std::string problem = problem_of_name(name); !problem.empty())
+          throw InputError(origin + problem);
+      if (!around.empty())
+        text.add_subsection(joined(around), origin);
+      const std::string path = joined(names);
+      if (text.entries.count(path) == 0)
+        text.order.push_back(path);
+      text.entries[path] = {value, origin, 0};
+    }
+  } // namespace
+
+
+
   void
   apply_overrides(const std::vector<std::string> &overrides, InputText &text)
   {
     std::map<std::string, std::string> given;
     for (const std::string &override_text : overrides)
       {
-        const std::string        origin    = "--set \"" + override_text + "\"";
-        const std::size_t        equals    = override_text.find('=');
-        const std::string        path_text = override_text.substr(0, equals);
-        std::vector<std::string> names;
-        bool                     complete = (equals != std::string::npos);
-        for (std::size_t begin = 0; begin <= path_text.size();)
-          {
-            const std::size_t end =
-              std::min(path_text.find('/', begin), path_text.size());
-            names.push_back(trim(path_text.substr(begin, end - begin)));
-            complete = complete && !names.back().empty();
-            begin    = end + 1;
-          }
-        if (!complete)
+        const std::string origin    = "--set \"" + override_text + "\"";
+        const std::size_t equals    = override_text.find('=');
+        const std::string path_text = override_text.substr(0, equals);
+        const std::vector<std::string> names = parts_of(path_text);
+        if (equals == std::string::npos || names.empty())
           throw InputError(origin +
                            ": write --set \"Subsection/Entry = value\".");
 
@@ -363,19 +394,28 @@ namespace seiche
           throw InputError(origin + ": entry \"" + names.back() +
                            "\" is set twice, first by " + first->second +
                            "; remove one.");
-        names.pop_back();
-        for (const std::string &name : names)
-          if (const std::string problem = problem_of_name(name);
-              !problem.empty())
-            throw InputError(origin + problem);
-        if (!names.empty())
-          text.add_subsection(joined(names), origin);
-        if (text.entries.count(path) == 0)
-          text.order.push_back(path);
-        text.entries[path] = {trim(override_text.substr(equals + 1)),
-                              origin,
-                              0};
+        set_entry(names, trim(override_text.substr(equals + 1)), origin, text);
       }
+  }
+
+
+
+  InputText
+  read_entries(const SceneEntries &entries)
+  {
+    InputText text;
+    text.end = "program";
+    for (const auto &[path, value] : entries.entries())
+      {
+        const std::string              origin = "program:" + path;
+        const std::vector<std::string> names  = parts_of(path);
+        if (names.empty())
+          throw InputError(origin + ": write \"Subsection/Entry\".");
+        if (text.entries.count(joined(names)) > 0)
+          throw InputError(origin + ": the entry is set twice; remove one.");
+        set_entry(names, trim(value), origin, text);
+      }
+    return text;
   }
 
 

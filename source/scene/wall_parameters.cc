@@ -270,6 +270,10 @@ namespace seiche
                     "only walls along which the fluid slips have friction: "
                     "set the condition to slip or unilateral, or this entry "
                     "to 0.");
+    if (any_unilateral())
+      input.cites("hueeber2005");
+    if (any_friction())
+      input.cites("schlichting1979");
   }
 
 

@@ -8,9 +8,12 @@
 #include <seiche/simulation/scene_plan.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/compatibility.h>
 #include <seiche/utilities/first_rank.h>
+#include <seiche/utilities/references.h>
 #include <seiche/utilities/stop_signal.h>
 #include <seiche/utilities/timer_tree.h>
+#include <seiche/utilities/version.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -37,6 +40,10 @@ namespace seiche
                                 dealii::ParameterHandler::KeepDeclarationOrder);
                           });
     }
+
+    // of every scene, beside what its options cite
+    constexpr const char *always_cited =
+      "sulsky1994 moreno eisenstat1996 bangerth2011 p4est2011";
 
     /// What a run would need and a picture of the scene; no grid, no points.
     template <int dim>
@@ -144,6 +151,7 @@ namespace seiche
         if (!restarts)
           folder.clear();
         write_parameters(prm, directory);
+        write_references(scene.input, directory);
         report.open_files(restarts);
       });
       try
@@ -219,6 +227,22 @@ namespace seiche
         }
     }
     return simulate(command_line, prm, scene, communicator);
+  }
+
+
+
+  void
+  write_references(const InputFile &input, const std::string &directory)
+  {
+    input.cites(always_cited);
+    input.cites(compatibility::dealii_paper);
+    checked_file::write(directory + "/methods.bib", [&](std::ostream &stream) {
+      stream << "% What a text about this run should cite, from the options of "
+                "its scene.\n% Of the program itself: CITATION.cff. seiche "
+             << program_version << "\n";
+      for (const std::string &key : input.cited())
+        stream << '\n' << reference(key);
+    });
   }
 
 

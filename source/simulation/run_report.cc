@@ -139,7 +139,7 @@ namespace seiche
     if (!speaks)
       return;
     const std::string end = (!text.empty() && text.back() == '\n') ? "" : "\n";
-    if (!options.test_mode)
+    if (!options.test_mode && !options.quiet)
       std::cout << text << end << std::flush;
     write_log(text + end);
   }
@@ -196,7 +196,8 @@ namespace seiche
                                 count_range(krylov, krylov_range)));
         return;
       }
-    if (!(on_terminal ? (now - last_shown >= 1. || share >= 1.) : new_part))
+    if (options.quiet ||
+        !(on_terminal ? (now - last_shown >= 1. || share >= 1.) : new_part))
       return;
     last_shown = now;
 
@@ -238,7 +239,11 @@ namespace seiche
     if (warnings.size() == warnings_kept)
       return;
     warnings.emplace_back(text, 1);
-    print("warning: " + text + (detail.empty() ? "" : " (" + detail + ")"));
+    const std::string line =
+      "warning: " + text + (detail.empty() ? "" : " (" + detail + ")");
+    print(line);
+    if (options.quiet)
+      std::cerr << line << std::endl;
   }
 
 

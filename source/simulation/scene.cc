@@ -105,6 +105,12 @@ namespace seiche
     input_file.read_only_if(quadrature.has_surface(),
                             "Points/Density rate",
                             "Quadrature/Rule = cut cells");
+    if (quadrature.has_surface())
+      input_file.cites(point_control.density_rate > 0. ?
+                         "saye2015 kugelstadt2021" :
+                         "saye2015");
+    if (uses_mean_volume())
+      input_file.cites("bonet1998");
     transfer.check(input_file, formulation.degree, seeding.per_direction);
     linear_solver.check(input_file, formulation.is_mixed());
     unsigned int per_cell = 1;

@@ -67,9 +67,7 @@ namespace seiche
     begin();
     while (!time_stepper.finished())
       {
-        const bool done = step(schedule);
-        if (done)
-          postprocess();
+        const bool done = advance([&]() { return schedule.stop_is_wanted(); });
         const CheckpointRequest request =
           done ? schedule.after_step(time_stepper.steps()) :
                  CheckpointRequest::write_and_stop;
@@ -90,7 +88,17 @@ namespace seiche
 
   template <int dim>
   bool
-  Simulation<dim>::step(CheckpointSchedule &schedule)
+  Simulation<dim>::advance(const std::function<bool()> &stop_is_wanted)
+  {
+    const bool done = step(stop_is_wanted);
+    if (done)
+      postprocess();
+    return done;
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::step(const std::function<bool()> &stop_is_wanted)
   {
     const TimerTree::Scope scope(timer, "step");
     if (!material_is_found)
@@ -119,7 +127,7 @@ namespace seiche
             break;
           }
         halve_step(failure);
-        if (schedule.stop_is_wanted())
+        if (stop_is_wanted())
           return false;
       }
     if (tank_motion.any())

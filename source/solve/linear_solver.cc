@@ -90,6 +90,9 @@ namespace seiche
                                 const bool       has_pressure) const
   {
     const bool is_automatic = multigrid_method(multigrid).factorises_small;
+    if (has_pressure && solver != "direct")
+      input.cites(std::string("saad1993 cahouet1988 ") +
+                  multigrid_method(multigrid).papers);
     for (const char *entry :
          {"Solver/Linear tolerance", "Solver/Linear maximum iterations"})
       input.read_only_if(solver != "direct",

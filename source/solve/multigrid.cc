@@ -23,9 +23,18 @@ namespace seiche
       {"automatic",
        true,
        make<BoomerAMG>,
+       "henson2002 chen2008",
        "factors of a small symmetric one on one rank, else BoomerAMG"},
-      {"BoomerAMG", false, make<BoomerAMG>, "HYPRE's, classical coarsening"},
-      {"ML", false, make<MLMultigrid>, "Trilinos', smoothed aggregation"}};
+      {"BoomerAMG",
+       false,
+       make<BoomerAMG>,
+       "henson2002",
+       "HYPRE's, classical coarsening"},
+      {"ML",
+       false,
+       make<MLMultigrid>,
+       "vanek1996",
+       "Trilinos', smoothed aggregation"}};
     return table;
   }
 

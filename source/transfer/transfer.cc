@@ -20,57 +20,67 @@ namespace seiche
         GradientUse::none,
         false,
         VelocityUpdate::pic,
+        "harlow1964",
         "points adopt the grid's velocity"},
        {"FLIP",
         GradientUse::none,
         false,
         VelocityUpdate::flip_increment,
+        "brackbill1986",
         "points add the increment of the grid's velocity"},
        {"FLIP acceleration",
         GradientUse::none,
         false,
         VelocityUpdate::flip_acceleration,
+        "brackbill1986",
         "points add dt times the mean of old and new acceleration, and what "
         "walls and projection do to the grid's velocity at the start"},
        {"PIC/FLIP blend",
         GradientUse::none,
         false,
         VelocityUpdate::blend,
+        "brackbill1986",
         "\"FLIP fraction\" of FLIP and the rest of PIC"},
        {"APIC",
         GradientUse::carried,
         false,
         VelocityUpdate::pic,
+        "jiang2017",
         "PIC with a velocity gradient at the points (in the configuration at "
         "the end of the step)"},
        {"TPIC",
         GradientUse::carried,
         true,
         VelocityUpdate::pic,
+        "nakamura2023",
         "the same with the gradient in the configuration at its start, as "
         "published"},
        {"affine FLIP",
         GradientUse::carried,
         false,
         VelocityUpdate::flip_increment,
+        "brackbill1986 jiang2017",
         "FLIP with a velocity gradient at the points, used from points to "
         "grid"},
        {"Taylor least squares",
         GradientUse::fitted,
         false,
         VelocityUpdate::flip_increment,
+        "wobbes2019",
         "FLIP; from points to grid the points of a cell pass on the linear "
         "field closest to their velocities"},
        {"XPIC",
         GradientUse::none,
         false,
         VelocityUpdate::xpic,
+        "hammerquist2017",
         "FLIP without the part of the points' velocities that \"Order\" "
         "passes to the grid and back do not see"},
        {"FMPM",
         GradientUse::none,
         false,
         VelocityUpdate::fmpm,
+        "nairn2021",
         "PIC with \"Order\" terms of a series for the inverse of the full "
         "mass matrix"}}};
   } // namespace
@@ -133,7 +143,8 @@ namespace seiche
                             const unsigned int points_per_direction) const
   {
     const VelocityUpdate update = transfer_method(method).update;
-    const bool           is_series =
+    input.cites(transfer_method(method).papers);
+    const bool is_series =
       update == VelocityUpdate::xpic || update == VelocityUpdate::fmpm;
     input.read_only_if(update == VelocityUpdate::blend,
                        "Transfer/FLIP fraction",

@@ -21,7 +21,9 @@ namespace seiche
     bool        print_parameters = false;
     /// Wall time [h].
     double max_hours = std::numeric_limits<double>::infinity();
-    /// Text of --help or --version: print it and end.
+    /// Compute the scenes of the self-test instead of a file's.
+    bool self_test = false;
+    /// Text of --help, --example or --version: print it and end.
     std::string text;
   };
 

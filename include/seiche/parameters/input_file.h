@@ -3,6 +3,7 @@
 #define seiche_parameters_input_file_h
 
 #include <seiche/parameters/input_reader.h>
+#include <seiche/parameters/scene_entries.h>
 
 #include <set>
 #include <string>
@@ -36,6 +37,10 @@ namespace seiche
     /// "Subsection/Entry = value". Throws InputError. Local (every rank reads).
     InputFile(const std::string              &filename,
               const std::vector<std::string> &overrides);
+
+    /// The scene of a program instead of a file's; tables lie in the current
+    /// directory. Throws InputError. Local.
+    explicit InputFile(const SceneEntries &entries);
 
     /// A stand-in without entries to collect declarations from: every kind
     /// of instance occurs once, with the name NAME.
@@ -105,6 +110,19 @@ namespace seiche
       return set_in_vain;
     }
 
+    /// State that the scene uses what these papers describe: keys of
+    /// doc/references.bib, blanks between them. Checks of options call it with
+    /// what the row of their table says.
+    void
+    cites(const std::string &keys) const;
+
+    /// The keys so far, each once.
+    const std::vector<std::string> &
+    cited() const
+    {
+      return papers;
+    }
+
     const std::string filename;
 
     /// Directory of the file: relative names in it (reference tables) start
@@ -139,6 +157,7 @@ namespace seiche
     mutable std::set<std::string>    kinds;
     mutable std::set<std::string>    entries_at_default;
     mutable std::vector<std::string> set_in_vain;
+    mutable std::vector<std::string> papers;
   };
 } // namespace seiche
 

@@ -2,6 +2,8 @@
 #ifndef seiche_parameters_input_reader_h
 #define seiche_parameters_input_reader_h
 
+#include <seiche/parameters/scene_entries.h>
+
 #include <map>
 #include <string>
 #include <vector>
@@ -41,6 +43,11 @@ namespace seiche
    */
   InputText
   read_input(const std::string &filename);
+
+  /// The entries of a program. InputError for names that no file could have.
+  /// Local.
+  InputText
+  read_entries(const SceneEntries &entries);
 
   /// Apply overrides "Subsection/Entry = value". InputError for a text of
   /// another form and for an entry given twice. Local.

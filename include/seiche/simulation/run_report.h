@@ -36,6 +36,7 @@ namespace seiche
       std::string directory;      ///< of the files; empty: no files
       double      end_time  = 0.; ///< [s]
       bool        test_mode = false;
+      bool        quiet = false; ///< of what is said, warnings alone are shown
     };
 
     /// Local.

@@ -13,6 +13,7 @@
 #include <seiche/simulation/step_solver.h>
 #include <seiche/utilities/timer_tree.h>
 
+#include <functional>
 #include <string>
 
 namespace seiche
@@ -65,15 +66,47 @@ namespace seiche
     RunOutcome
     run(CheckpointSchedule &schedule, CheckpointFolder &folder);
 
-  private:
-    /// Everything that run() needs before the first step. Collective.
+    // run() in parts, for programs of their own (stepped_run.h)
+
+    /// Everything before the first step. Collective.
     void
     begin();
 
-    /// False if the run was asked to stop while a step was being repeated: the
-    /// points are as they were at its start.
+    /// A step and a row of statistics. False if @p stop_is_wanted (all ranks
+    /// alike) while the step was being repeated: the points are as they were
+    /// at its start. Collective.
     bool
-    step(CheckpointSchedule &schedule);
+    advance(const std::function<bool()> &stop_is_wanted);
+
+    /// After the last step: the summary. Collective.
+    void
+    finish();
+
+    double
+    time() const
+    {
+      return time_stepper.time(); // [s]
+    }
+    bool
+    finished() const
+    {
+      return time_stepper.finished();
+    }
+    const StatisticsTable &
+    statistics_table() const
+    {
+      return statistics;
+    }
+    const PointCloud<dim> &
+    point_cloud() const
+    {
+      return points;
+    }
+
+  private:
+    /// False as in advance().
+    bool
+    step(const std::function<bool()> &stop_is_wanted);
 
     /// Occupied cells, fill, nodal fields of the points where they are.
     void
@@ -106,8 +139,6 @@ namespace seiche
 
     void
     postprocess();
-    void
-    finish();
 
     /// After a try that failed. NumericalError if there is no smaller step.
     /// Collective.

@@ -51,6 +51,7 @@ namespace seiche
 
     /// The hierarchy of a matrix; a rank may have no rows. Collective.
     std::unique_ptr<Multigrid> (*make)(const DistributedRows &, const MPI_Comm);
+    const char *papers; ///< keys of doc/references.bib
     const char *description;
   };
 

@@ -75,6 +75,7 @@ namespace seiche
     GradientUse    gradient; ///< in points to grid
     bool           at_start; ///< C in the configuration at t_n, not t_n+1
     VelocityUpdate update;
+    const char    *papers; ///< keys of doc/references.bib
     const char    *description;
   };
 

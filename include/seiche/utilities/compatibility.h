@@ -18,6 +18,13 @@ namespace seiche
 {
   namespace compatibility
   {
+    /// Key in doc/references.bib of the paper on this version of deal.II.
+#if DEAL_II_VERSION_GTE(9, 6, 0)
+    inline constexpr const char *dealii_paper = "dealii2024";
+#else
+    inline constexpr const char *dealii_paper = "dealii2022";
+#endif
+
     /// Degrees of freedom on own and ghost cells of this rank. Local.
     template <int dim>
     dealii::IndexSet
