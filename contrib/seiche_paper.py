@@ -12,8 +12,7 @@ import matplotlib.pyplot as plt
 import numpy
 from matplotlib.collections import EllipseCollection
 
-from seiche_output import Run, read_frame
-from seiche_output import field
+from seiche_output import Run, field, read_frame
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 RECIPE, OURS = "founding paper's recipe", "this code"

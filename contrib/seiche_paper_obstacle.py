@@ -8,10 +8,10 @@ import matplotlib.pyplot as plt
 import numpy
 from matplotlib.colors import LinearSegmentedColormap
 
+from seiche_output import field
 from seiche_paper import COLOUR, OURS, RECIPE, ROOT, colour_bar, save, say
 from seiche_paper_numbers import smoothed
 from seiche_sections import columns_of, depth, draw_section, near_plane
-from seiche_output import field
 from seiche_stage import rectangle
 from seiche_views import View
 

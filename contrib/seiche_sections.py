@@ -6,14 +6,14 @@ import matplotlib.pyplot as plt
 import numpy
 
 from seiche_output import field
-from seiche_simplices import clip_triangles, fans
+from seiche_simplices import clip_triangles, fans, without_needles
 from seiche_stage import COLOURS, SOLID, rectangle
-from seiche_water import deposit, lattice_cells
+from seiche_water import NEEDLE, deposit, lattice_cells
 
 WIDTH = 12.0  # of a picture [inches]
 ARROWS = 45  # along a section
 FINEST = 500  # columns along a picture
-BESIDE = 0.005  # [cells] from an obstacle's face, more than seiche_water.NEAR_SIDE
+BESIDE = 0.005  # [cells] from an obstacle's face: NEAR_SIDE < BESIDE < NEEDLE / 2
 SAMPLES = 3  # heights a cell at which the depth's level is read
 
 
@@ -99,6 +99,7 @@ def depth_picture(stage, frames, filename):
         values = values[numbers]
         dry = 0.02 * frame.water.size - values  # the water's edge
         filled = clip_triangles(*fans(numpy.dstack([corners, values]), dry))
+        filled = without_needles(filled, NEEDLE * frame.water.size)
         fill(axes, filled, image)
         for low, high in frame.walls.obstacles:
             rectangle(axes, low[:2], high[:2], fc=SOLID, ec="#333333", lw=0.8, zorder=3)
@@ -163,7 +164,8 @@ def section_picture(stage, frames, y, filename):
     for frame in frames:
         level, speed = frame.water.sample(in_plane(nodes, y), "speed")
         columns = numpy.dstack([corners, speed[numbers]])
-        filled = clip_triangles(*fans(columns, level[numbers]))
+        filled = without_needles(clip_triangles(*fans(columns, level[numbers])),
+                                 NEEDLE * frame.water.size)
         inside, velocity = frame.water.sample(in_plane(at_arrows, y), "velocity")
         inside = inside < -0.1
         cuts.append((filled, at_arrows[inside], velocity[inside]))

@@ -49,6 +49,14 @@ def clip_triangles(corners, level):
     return numpy.concatenate(parts)
 
 
+def without_needles(triangles, thickness):
+    """Triangles [n, 3, (x, y, ...)] without those thinner than [m]: matplotlib widens
+    triangles to close the gaps between them; of needles that would be seen."""
+    a, b = (triangles[:, i, :2] - triangles[:, 0, :2] for i in (1, 2))
+    longest = numpy.sqrt(numpy.max([(v**2).sum(axis=1) for v in (a, b, a - b)], axis=0))
+    return triangles[abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) > thickness * longest]
+
+
 def fans(corners, level):
     """Quadrilaterals in bit order, attributes [n, 4, k], as four triangles around
     their centres each, as the program divides its cells."""

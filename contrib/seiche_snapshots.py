@@ -67,7 +67,7 @@ def snapshots(run, path, name="pressure", times=(), scene=None, **options):
     if not frames:
         return False
     chosen = nearest(frames, times) if len(times) else equally_spaced(frames, NUMBER[run.dim])
-    stage = make_stage(run, frames if len(times) == 0 else chosen, name, **options)
+    stage = make_stage(run, frames, name, **options)
     stage.width = PIXELS // columns_for(len(chosen), stage.ratio)
     figure, all_axes = page(stage, len(chosen))
     for axes, (time, file) in zip(all_axes.flat, chosen):

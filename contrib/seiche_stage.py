@@ -73,6 +73,7 @@ class Stage:
         at_times = [run.walls_at(time) for time, _ in sampled(frames, SAMPLED)]
         self.box = (numpy.min([w.lower for w in at_times], axis=0),
                     numpy.max([w.upper for w in at_times], axis=0))
+        self.open_sides = at_times[0].open_sides
         span = [(w.lower, w.upper) for w in at_times]
         self.moving = {(d, side) for d in range(self.dim) for side in (0, 1)
                        if numpy.ptp([s[side][d] for s in span]) > 1e-9}
@@ -136,8 +137,12 @@ class Stage2D(Stage):
     def prepare(self, axes):
         axes.set(xlim=(self.low[0], self.high[0]), ylim=(self.low[1], self.high[1]), aspect="equal",
                  xlabel="x [m]", ylabel="y [m]")
-        for spine in axes.spines.values():
-            spine.set_visible(False)
+        # a frame only where no wall is drawn
+        for name, (d, side) in {"left": (0, 0), "right": (0, 1), "bottom": (1, 0), "top": (1, 1)}.items():
+            wall, end = self.box[side][d], (self.low, self.high)[side][d]
+            is_seen = (end - wall) * (2 * side - 1) > 0 and (d, side) not in self.open_sides
+            axes.spines[name].set_visible(not is_seen)
+            axes.spines[name].set(color="0.75", linewidth=0.6)
 
     def draw(self, axes, frame):
         self.prepare(axes)
@@ -195,22 +200,22 @@ class Stage3D(Stage):
         top = max([top] + [high[2] for _, high in obstacles])
         self.high[2] = min(self.high[2], top)
         self.thickness = THICKNESS * (self.high - self.low).max() if self.moving else 0.0
-        view = self.view(run.walls_at(0))
-        self.ratio = view.shape[0] / view.shape[1]
+        small = self.make_view(run.walls_at(0), 100)
+        self.ratio = small.shape[0] / small.shape[1]
 
     def view(self, walls):
         """The same as long as no wall moves."""
         if self.moving or self.still is None or self.still[0] != self.width:
-            self.still = self.width, self.make_view(walls)
+            self.still = self.width, self.make_view(walls, self.width)
         return self.still[1]
 
-    def make_view(self, walls):
+    def make_view(self, walls, width):
         cut = [(low, numpy.minimum(high, self.high)) for low, high in
                list(walls.obstacles) + self.pistons(walls, self.thickness)]
         low, high = self.low.copy(), self.high.copy()
         for d, side in self.moving:
             (high if side else low)[d] += (2 * side - 1) * self.thickness
-        return View(low, high, self.eye, self.width, cut)
+        return View(low, high, self.eye, width, cut)
 
     def image(self, frame):
         """The View and its picture [rows, columns, 3]."""

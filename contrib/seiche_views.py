@@ -10,6 +10,7 @@ GROUND, WALL = numpy.array([0.94, 0.92, 0.88]), numpy.array([0.62, 0.60, 0.58])
 GLASS = numpy.array([0.955, 0.965, 0.975])  # the sides of the tank behind the water
 SAMPLES = 1 << 21  # pixels of triangles that are worked on at once
 GLOSS, SHININESS = 0.28, 36  # of the water
+SHADOW = numpy.array([1.15, 0.9, 0.5])  # what it takes from red, green and blue
 
 
 def shifted(values, rows, columns):
@@ -53,11 +54,11 @@ class View:
         """To the right, upwards, towards the eye [m]."""
         return numpy.asarray(points) @ self.axes.T
 
-    def rays(self):
-        """Points of the picture's plane below the pixels [rows, columns, 3]."""
-        right = self.low[0] + (numpy.arange(self.shape[1]) + 0.5) * self.pixel
-        up = self.low[1] + (numpy.arange(self.shape[0]) + 0.5) * self.pixel
-        return right[None, :, None] * self.axes[0] + up[:, None, None] * self.axes[1]
+    def rays(self, d, rows=slice(None), columns=slice(None)):
+        """Coordinate d of the points of the picture's plane below the pixels."""
+        right = self.low[0] + (numpy.arange(self.shape[1])[columns] + 0.5) * self.pixel
+        up = self.low[1] + (numpy.arange(self.shape[0])[rows] + 0.5) * self.pixel
+        return right[None, :] * self.axes[0, d] + up[:, None] * self.axes[1, d]
 
     def balls(self, points, radii):
         """Height of the nearest ball at each pixel (-inf: none), and its number."""
@@ -79,36 +80,47 @@ class View:
                 height[pixel[order]], owner[pixel[order]] = z[order], number[order]
         return height.reshape(self.shape), owner.reshape(self.shape)
 
+    def window(self, corners):
+        """Rows and columns of pixels that points lie in."""
+        place = self.project(corners)[:, [1, 0]]
+        low = numpy.floor((place.min(axis=0) - self.low[::-1]) / self.pixel).astype(int) - 2
+        high = numpy.ceil((place.max(axis=0) - self.low[::-1]) / self.pixel).astype(int) + 2
+        return tuple(slice(max(l, 0), max(h, 0)) for l, h in zip(low, high))
+
     def boxes(self, boxes):
         """Height of the nearest box at each pixel (-inf: none) and its colour."""
-        plane, eye = self.rays(), self.axes[2]
+        eye = self.axes[2]
+        light = 0.72 + 0.28 * numpy.abs(eye) / numpy.abs(eye).max()
         height, colour = numpy.full(self.shape, -numpy.inf), numpy.zeros(self.shape + (3,))
         for low, high in boxes:
-            # where the ray plane + z eye leaves the box towards the eye
-            ends = [(numpy.array(c) - plane) / eye for c in (low, high)]
+            window = self.window(self.corners(low, high))
+            # where the rays along the eye leave the box and where they enter it
+            ends = [numpy.stack([(corner[d] - self.rays(d, *window)) / eye[d] for d in range(3)],
+                                axis=2) for corner in (low, high)]
             leaves, enters = numpy.maximum(*ends), numpy.minimum(*ends)
             z, face = leaves.min(axis=2), leaves.argmin(axis=2)
-            seen = (z > enters.max(axis=2)) & (z > height)
-            height[seen] = z[seen]
-            light = 0.72 + 0.28 * numpy.abs(eye) @ numpy.eye(3) / numpy.abs(eye).max()
-            colour[seen] = (WALL * light[:, None])[face[seen]]
+            seen = (z > enters.max(axis=2)) & (z > height[window])
+            height[window][seen] = z[seen]
             # two faces at once: an edge
-            spare = numpy.sort(leaves, axis=2)
-            edge = seen & (spare[:, :, 1] - spare[:, :, 0] < 3 * self.pixel)
-            colour[edge] = 0.25
+            ordered = numpy.sort(leaves, axis=2)
+            edge = seen & (ordered[:, :, 1] - ordered[:, :, 0] < 3 * self.pixel)
+            colour[window][seen] = (WALL * light[:, None])[face[seen]]
+            colour[window][edge] = 0.25
         return height, colour
 
     def far_side(self, d):
         """Pixels that see the side of the domain across direction d that lies behind
         the water, and those at its outline."""
-        plane, eye = self.rays(), self.axes[2]
+        eye = self.axes[2]
         if abs(eye[d]) < 1e-6:
             nothing = numpy.zeros(self.shape, bool)
             return nothing, nothing
-        place = (self.lower if eye[d] > 0 else self.upper)[d]
-        hit = plane + ((place - plane[:, :, d]) / eye[d])[:, :, None] * eye
-        others = [e for e in range(3) if e != d]
-        inside = numpy.minimum(hit - self.lower, self.upper - hit)[:, :, others].min(axis=2)
+        way = ((self.lower if eye[d] > 0 else self.upper)[d] - self.rays(d)) / eye[d]
+        inside = numpy.full(self.shape, numpy.inf)
+        for e in (e for e in range(3) if e != d):
+            hit = self.rays(e) + way * eye[e]
+            numpy.minimum(inside, hit - self.lower[e], out=inside)
+            numpy.minimum(inside, self.upper[e] - hit, out=inside)
         return inside >= 0, abs(inside) < 0.75 * self.pixel
 
     def triangles(self, corners, attributes):
@@ -165,7 +177,8 @@ class View:
         half /= numpy.linalg.norm(half)
         diffuse = 0.72 + 0.36 * numpy.clip(n @ light, 0, 1)
         gloss = GLOSS * numpy.clip(n @ half, 0, 1)**SHININESS
-        return numpy.clip(colours * diffuse[:, None] + gloss[:, None], 0, 1)
+        shadow = (1 - diffuse)[:, None] * SHADOW
+        return numpy.clip(colours * (1 - shadow) + gloss[:, None], 0, 1)
 
     def water_picture(self, skin, drops, colour_of, opacity=0.9):
         """Image [rows, columns, 3], first row at the bottom: a skin (corners, normals

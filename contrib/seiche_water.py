@@ -13,7 +13,7 @@ import numpy
 
 from seiche_output import field, read_frame
 from seiche_simplices import (
-    clip_triangles, fans, smooth_normals, surface_of_tetrahedra, tetrahedra)
+    clip_triangles, fans, smooth_normals, surface_of_tetrahedra, tetrahedra, without_needles)
 
 LEVEL = "level set [cells]"
 VTK_ORDER = {2: [0, 1, 3, 2], 3: [0, 1, 3, 2, 4, 5, 7, 6]}  # to bit order
@@ -21,6 +21,7 @@ OUTSIDE = 9.0  # level [cells] where there is no cell
 SPRAY = 0.25  # level [cells] from which on a point is drawn as spray
 INVERSIONS = 3  # of x + u(x), each gains a digit or so
 NEAR_SIDE = 1e-3  # [cells] by which a place may miss its cell
+NEEDLE = 0.015  # [cells] triangles that are thinner are not drawn
 LARGEST = 4e6  # cells of the lattice that points fill
 
 
@@ -171,6 +172,7 @@ class Water:
         wet = (self.level < 0).any(axis=1)
         columns = numpy.dstack([self.corners, self.values(name)])[wet]
         clipped = clip_triangles(*fans(columns, self.level[wet]))
+        clipped = without_needles(clipped, NEEDLE * self.size)
         return clipped[:, :, :2], clipped[:, :, 2]
 
     def outline(self):

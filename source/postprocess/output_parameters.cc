@@ -13,8 +13,8 @@ namespace seiche
     prm.enter_subsection("Output");
     prm.add_parameter("Interval",
                       interval,
-                      "Time between two frames of grid, points and surface; "
-                      "0: no frames. [s]",
+                      "Time between two frames of grid, points, surface and "
+                      "walls; 0: no frames. [s]",
                       Patterns::Double(0.));
     prm.add_parameter("Grid",
                       grid,

@@ -7,6 +7,7 @@
 #include <seiche/postprocess/mass_and_energy.h>
 #include <seiche/postprocess/mean_level.h>
 #include <seiche/postprocess/output_parameters.h>
+#include <seiche/postprocess/paraview_state.h>
 #include <seiche/postprocess/point_output.h>
 #include <seiche/postprocess/point_series.h>
 #include <seiche/postprocess/postprocessor_table.h>
@@ -157,6 +158,8 @@ namespace seiche
         std::make_unique<PointSeries<dim>>(settings, communicator));
     list.push_back(
       std::make_unique<WallsOutput<dim>>(settings, grid, communicator));
+    list.push_back(
+      std::make_unique<ParaViewState<dim>>(directory, communicator));
   }
 
   template <int dim>

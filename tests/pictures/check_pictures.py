@@ -1,0 +1,289 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pictures and films of short runs (contrib/plot_run, contrib/pictures), the water
+that they draw, and the state for ParaView.
+
+check_pictures.py SEICHE CASE
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+try:
+    import matplotlib
+    import numpy
+    from PIL import Image
+except ImportError:
+    # The Debian packages belong to Debian's own interpreter.
+    if "SEICHE_SYSTEM_PYTHON" in os.environ:
+        raise
+    os.environ["SEICHE_SYSTEM_PYTHON"] = "1"
+    os.execv("/usr/bin/python3", ["/usr/bin/python3"] + sys.argv)
+
+matplotlib.use("Agg")
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CONTRIB = ROOT / "contrib"
+SCENES = ROOT / "tests" / "scene"
+sys.path.insert(0, str(CONTRIB))
+from seiche_output import Run, field, read_frame  # noqa: E402
+import seiche_pyvista  # noqa: E402
+import seiche_simplices  # noqa: E402
+import seiche_snapshots  # noqa: E402
+import seiche_stage  # noqa: E402
+import seiche_water  # noqa: E402
+
+
+def simulate(seiche, folder, scene, end, interval, *settings, ranks=1):
+    """Run of a scene with frames, in folder."""
+    sets = ["Time/End time = %g" % end, "Output/Interval = %g" % interval,
+            "Output/Test log = false", *settings]
+    command = [seiche, str(SCENES / scene), "--output", folder]
+    command += [word for text in sets for word in ("--set", text)]
+    if ranks > 1:
+        command = ["mpirun", "-n", str(ranks)] + command
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return Run(folder)
+
+
+def call(script, *arguments, code=0, **options):
+    done = subprocess.run([sys.executable, str(CONTRIB / script), *arguments], text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=100, **options)
+    assert done.returncode == code, f"exit code {done.returncode}:\n{done.stdout}"
+    assert "warning" not in done.stdout, done.stdout
+    return done.stdout
+
+
+def picture(path):
+    """Pixels [rows, columns, 3] between 0 and 1."""
+    pixels = numpy.asarray(Image.open(path).convert("RGB")) / 255.0
+    assert min(pixels.shape[:2]) > 200, pixels.shape
+    return pixels
+
+
+def share_near(pixels, colour, width=0.12):
+    """Share of the picture that has about this colour."""
+    return float((abs(pixels - matplotlib.colors.to_rgb(colour)).max(axis=2) < width).mean())
+
+
+def last_water(run, time=None):
+    time, path = run.frames("points")[-1] if time is None else \
+        min(run.frames("points"), key=lambda f: abs(f[0] - time))
+    points = read_frame(path)
+    return seiche_water.water_of(run, time, points), points, run.walls_at(time), time
+
+
+def size_of_points(points, dim):
+    return float(((2.0 * field(points, "radius").astype(float))**dim).sum())
+
+
+def area(water):
+    corners, _ = water.triangles("speed")
+    a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    return float(0.5 * abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum())
+
+
+def volume(water, walls):
+    """Inside the skin by the divergence theorem: right only if it is closed."""
+    corners, normals, _ = water.skin(walls, "speed")
+    across = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    outwards = numpy.sign(numpy.einsum("ij,ij->i", across, normals.sum(axis=1)))
+    return float((corners.mean(axis=1) * across * outwards[:, None]).sum() / 6.0)
+
+
+def geometry(seiche, folder):
+    """Parts of triangles and tetrahedra, deposits, equal times."""
+    random = numpy.random.default_rng(1)
+    squares = numpy.array([[[0.0, 0], [1, 0], [0, 1], [1, 1]]]).repeat(200, axis=0)
+    cuts = random.normal(size=(200, 2)), random.normal(size=200)
+    level = numpy.einsum("nvd,nd->nv", squares, cuts[0]) + cuts[1][:, None]
+    parts = seiche_simplices.clip_triangles(*seiche_simplices.fans(squares, level))
+    opposite = seiche_simplices.clip_triangles(*seiche_simplices.fans(squares, -level))
+    areas = [sum(0.5 * abs(numpy.cross(t[:, 1] - t[:, 0], t[:, 2] - t[:, 0]))) for t in (parts, opposite)]
+    assert abs(sum(areas) - 200) < 1e-9 and 20 < areas[0] < 180, areas
+
+    cube = numpy.array([[[v >> d & 1 for d in range(3)] for v in range(8)]], float)
+    level = cube.sum(axis=2) - 1.5  # the plane through six edges: a hexagon
+    weights = seiche_simplices.tetrahedra()
+    triangles = seiche_simplices.surface_of_tetrahedra(
+        numpy.einsum("tvc,nck->ntvk", weights, cube).reshape(-1, 4, 3),
+        numpy.einsum("tvc,nc->ntv", weights, level).reshape(-1, 4))
+    across = 0.5 * numpy.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    assert numpy.allclose(across.sum(axis=0), 0.75, atol=1e-12), across.sum(axis=0)
+    assert numpy.isclose(numpy.linalg.norm(across, axis=1).sum(), 0.75 * 3**0.5)
+
+    places = random.random((50, 2))
+    lines = [numpy.linspace(0, 1, 9)] * 2
+    sums = seiche_water.deposit(places, numpy.full(50, 0.1), lines, numpy.arange(50.0))
+    assert numpy.isclose(sums.sum(), numpy.arange(50).sum())
+
+    for n, wanted in ((21, 6), (11, 6), (12, 6), (15, 5), (3, 3), (1, 1)):
+        frames = [(0.1 * i + (0.004 if i % 3 else 0), "") for i in range(n)]
+        times = [t for t, _ in seiche_snapshots.equally_spaced(frames, 6)]
+        assert len(times) == wanted and times[0] == 0, (n, times)
+        if n > 2:
+            steps = numpy.diff(times)
+            assert numpy.ptp(steps) < 0.01 and times[-1] >= 0.7 * frames[-1][0], (n, times)
+
+
+def flat(seiche, folder):
+    """A dam break against a step: water, obstacle, pictures, one file, messages."""
+    run = simulate(seiche, folder, "dam_break.prm", 0.5, 0.1)
+    water, points, _, _ = last_water(run)
+    assert abs(area(water) / size_of_points(points, 2) - 1) < 0.03, area(water)
+    inside, speed = water.sample(numpy.array([[0.1, 0.1]]), "speed")
+    assert inside[0] < -0.25 and 0 < speed[0] < 2, (inside, speed)
+    made = call("plot_run", folder).split()
+    names = {os.path.basename(path) for path in made if path.endswith(".png")}
+    assert {"snapshots.png", "ledger.png", "solver.png"} <= names, made
+    picture(f"{folder}/pictures/snapshots.png")
+
+    single = f"{folder}/one.png"
+    call("plot_run", folder, "-o", single, "--times", "0.3", "--field", "plain")
+    pixels = picture(single)
+    assert 0.1 < share_near(pixels, seiche_stage.WATER) < 0.6, share_near(pixels, seiche_stage.WATER)
+    text = call("plot_run", folder, "-o", f"{folder}/film.avi", "--film", code=1)
+    assert "a film is a .mp4 or a .gif" in text, text
+    shutil.rmtree(f"{folder}/pictures")
+    assert "view_0.500.png" in call("pictures", folder, "--times", "0.5")
+
+
+def space(seiche, folder):
+    """An obstacle on an adaptive mesh and two ranks: closed skin, views, depth, section."""
+    run = simulate(seiche, folder, "obstacle_3d_adaptive.prm", 0.1, 0.05, ranks=2)
+    water, points, walls, _ = last_water(run)
+    ratio = volume(water, walls) / size_of_points(points, 3)
+    assert abs(ratio - 1) < 0.03, ratio
+    assert walls.obstacles.shape == (1, 2, 3) and numpy.allclose(walls.obstacles[0, 0], (0.6, 0.1, 0))
+    made = call("pictures", folder, "--field", "plain").split()
+    assert [os.path.basename(path) for path in made] == [
+        "view_0.000.png", "view_0.050.png", "view_0.100.png", "depth.png", "section.png"]
+    pixels = picture(made[2])
+    blue = (pixels[:, :, 2] > pixels[:, :, 0] + 0.2).mean()
+    grey = (numpy.ptp(pixels, axis=2) < 0.06) & (pixels.max(axis=2) < 0.7)
+    assert 0.1 < blue < 0.6 and 0.01 < grey.mean() < 0.2, (blue, grey.mean())
+    picture(made[3])
+    picture(made[4])
+
+
+def points(seiche, folder):
+    """Without a level set the water is where points fill the space."""
+    flat_run = simulate(seiche, f"{folder}/2d", "dam_break.prm", 0.3, 0.1,
+                        "Quadrature/Rule = material points")
+    water, cloud, _, _ = last_water(flat_run)
+    assert abs(area(water) / size_of_points(cloud, 2) - 1) < 0.06, area(water)
+    call("plot_run", f"{folder}/2d")
+    assert share_near(picture(f"{folder}/2d/pictures/snapshots.png"), seiche_stage.WATER) > 0.01
+    solid = simulate(seiche, f"{folder}/3d", "obstacle_3d.prm", 0.1, 0.1, "Output/Grid = false")
+    water, cloud, walls, _ = last_water(solid)
+    assert abs(volume(water, walls) / size_of_points(cloud, 3) - 1) < 0.15, volume(water, walls)
+
+
+def walls(seiche, folder):
+    """The walls of a piston's run at each frame; those that stand still once."""
+    run = simulate(seiche, f"{folder}/piston", "piston_2d.prm", 1, 0.25)
+    assert len(run.frames("walls")) == 5
+    for time, _ in run.frames("points"):
+        there = run.walls_at(time)
+        place = 0.12 * 0.5 * (1 - numpy.cos(numpy.pi * time / 2.4))
+        assert numpy.allclose(there.lower, (place, 0), atol=1e-6), (time, there)
+        assert numpy.allclose(there.upper, (1.2, 0.5)) and not there.open_sides
+        assert numpy.allclose(there.obstacles, [[(0.8, 0), (0.9, 0.1)]])
+    # the water reaches the moved piston
+    water, _, there, _ = last_water(run)
+    corners, _ = water.triangles("speed")
+    assert abs(corners[:, :, 0].min() - there.lower[0]) < 1e-4, corners[:, :, 0].min()
+    call("plot_run", f"{folder}/piston", "-o", f"{folder}/piston.png", "--times", "1")
+    assert share_near(picture(f"{folder}/piston.png"), "#b5651d", 0.03) > 0.003
+    still = simulate(seiche, f"{folder}/still", "dam_break.prm", 0.05, 0.01, "Walls/Top = open")
+    assert len(still.frames("walls")) == 1
+    assert still.walls_at(0.05).open_sides == {(1, 1)}, still.walls_at(0.05)
+
+
+def film(seiche, folder):
+    """A frame of the film for each frame of the run."""
+    run = simulate(seiche, folder, "dam_break.prm", 0.3, 0.1)
+    call("plot_run", folder, "--film", "-o", f"{folder}/film.gif")
+    frames = len(run.frames("points"))
+    gif = Image.open(f"{folder}/film.gif")
+    assert gif.n_frames == frames, gif.n_frames
+    seen = []
+    for number in range(frames):
+        gif.seek(number)
+        seen.append(numpy.asarray(gif.convert("L"), float))
+    assert all(abs(a - b).mean() > 0.1 for a, b in zip(seen, seen[1:])), "the film stands still"
+    made = [path for path in call("plot_run", folder, "--film").split() if "film." in path]
+    assert len(made) == 1 and os.path.getsize(made[0]) > 2000, made
+    if shutil.which("ffprobe"):
+        count = subprocess.run(
+            ["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=nb_read_frames",
+             "-of", "csv=p=0", made[0]], capture_output=True, text=True).stdout
+        assert made[0].endswith(".mp4") and int(count.strip(" ,\n")) == frames, count
+    left = [name for name in os.listdir(folder) if "unfinished" in name]
+    assert not left, left
+
+
+def state(seiche, folder):
+    """The fields that ParaView's state names are those of the frames."""
+    run = simulate(seiche, folder, "dam_break.prm", 0.02, 0.01)
+    text = pathlib.Path(folder, "paraview_state.py").read_text(encoding="utf-8")
+    compile(text, "paraview_state.py", "exec")
+    fields = set()
+    for kind in ("points", "grid", "surface", "walls"):
+        assert f'"{kind}"' in text, kind
+        fields |= set(read_frame(run.frames(kind)[0][1]))
+    named = set(re.findall(r'"([^"\n]*\[[^"\n]*\])"', text)) - {"speed [m/s]"}
+    assert len(named) == 5 and named <= fields, (named, fields)
+
+
+def download(seiche, folder):
+    """PyVista is not fetched unasked, nor with another answer than yes."""
+    seiche_pyvista.ENVIRONMENT = os.path.join(folder, "pyvista")
+    seiche_pyvista.importlib.util.find_spec = lambda name: None
+    tried = []
+    seiche_pyvista.subprocess.call = lambda command, **_: tried.append(command) or 1
+
+    def refusal(answer):
+        seiche_pyvista.input = lambda text: answer
+        try:
+            seiche_pyvista.enter_environment()
+        except SystemExit as error:
+            return str(error)
+        raise AssertionError("went on")
+
+    sys.stdin = open(os.devnull, encoding="ascii")
+    assert "nothing is downloaded unasked" in refusal("y") and not tried
+    sys.stdin.isatty = lambda: True
+    assert "nothing is downloaded unasked" in refusal("") and not tried
+    assert "cannot be installed" in refusal("yes") and len(tried) == 1, tried
+    assert not os.listdir(folder)
+
+
+def paraview(seiche, folder):
+    """ParaView opens the state and draws water, obstacle and walls."""
+    simulate(seiche, folder, "piston_2d.prm", 0.5, 0.25)
+    command = ["xvfb-run", "-a", "pvpython", f"{folder}/paraview_state.py", f"{folder}/seen.png"]
+    for attempt in range(3):
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              cwd=folder, timeout=60)
+        if "bad X server connection" not in done.stdout:  # of xvfb-run beside others
+            break
+    assert done.returncode == 0 and "Traceback" not in done.stdout, done.stdout
+    pixels = picture(f"{folder}/seen.png")
+    coloured = (numpy.ptp(pixels, axis=2) > 0.25).mean()
+    assert coloured > 0.05, coloured
+    assert share_near(pixels, (0.55, 0.55, 0.55), 0.05) > 1e-4
+
+
+def main():
+    seiche, case = sys.argv[1:]
+    with tempfile.TemporaryDirectory() as folder:
+        globals()[case](seiche, folder)
+
+
+if __name__ == "__main__":
+    main()
