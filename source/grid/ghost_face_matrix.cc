@@ -89,9 +89,10 @@ namespace seiche
   {
     constexpr unsigned int n      = Shape::n_nodes;
     const double           length = occupancy.locator.extent(cell)[direction];
-    const Point<dim>       unit   = occupancy.locator.to_unit(cell, x);
-    double                 N[n], slope[n][dim];
-    const auto             unknowns = occupancy.template unknowns<degree>(cell);
+    const Point<dim>       unit =
+      occupancy.locator.to_unit(cell, occupancy.locator.image(x, cell));
+    double     N[n], slope[n][dim];
+    const auto unknowns = occupancy.template unknowns<degree>(cell);
     Shape::evaluate(unit, N, slope);
     for (unsigned int a = 0; a < n; ++a)
       first[a] = sign * slope[a][direction] / length;

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/hanging_nodes.h>
-#include <seiche/utilities/compatibility.h>
-
-#include <deal.II/dofs/dof_tools.h>
-
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_tools.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -19,32 +13,19 @@ namespace seiche
   template <int dim>
   void
   HangingNodes<dim>::reinit(const DoFHandler<dim>  &dof_handler,
-                            const CellLocator<dim> &locator)
+                            const CellLocator<dim> &locator,
+                            const NodeMasters<dim> &masters)
   {
     n_nodes = dof_handler.get_fe().n_dofs_per_cell();
     cell_nodes.assign(locator.n_cells() * n_nodes, numbers::invalid_dof_index);
     matrix_of_cell.assign(locator.n_cells(), nullptr);
     matrices.clear();
 
-    Constraints constraints(compatibility::locally_relevant_dofs(dof_handler));
-    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-    constraints.close();
-
-    const std::vector<unsigned int> hierarchic =
-      FETools::lexicographic_to_hierarchic_numbering<dim>(
-        dof_handler.get_fe().degree);
-    std::vector<types::global_dof_index> cell_dofs(n_nodes), dofs(n_nodes);
+    std::vector<types::global_dof_index> dofs;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
-        const typename DoFHandler<dim>::active_cell_iterator iterator(
-          &dof_handler.get_triangulation(),
-          locator.iterator(cell)->level(),
-          locator.iterator(cell)->index(),
-          &dof_handler);
-        iterator->get_dof_indices(cell_dofs);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          dofs[a] = cell_dofs[hierarchic[a]];
-        resolve(cell, dofs, constraints);
+        get_nodes(dof_handler, locator, cell, dofs);
+        resolve(cell, dofs, masters);
       }
     exchange(locator);
   }
@@ -53,21 +34,24 @@ namespace seiche
   void
   HangingNodes<dim>::resolve(const unsigned int                          cell,
                              const std::vector<types::global_dof_index> &dofs,
-                             const Constraints &constraints)
+                             const NodeMasters<dim> &masters)
   {
     types::global_dof_index  *nodes = &cell_nodes[cell * n_nodes];
     std::vector<unsigned int> hanging;
     for (unsigned int a = 0; a < n_nodes; ++a)
-      if (constraints.is_constrained(dofs[a]))
+      if (masters.hangs(dofs[a]))
         hanging.push_back(a);
       else
-        nodes[a] = dofs[a];
+        nodes[a] = masters.unknown(dofs[a]);
     if (hanging.empty())
       return;
 
+    std::vector<typename NodeMasters<dim>::Weights> weights(n_nodes);
+    for (const unsigned int a : hanging)
+      weights[a] = masters.masters(dofs[a]);
     const auto masters_of = [&](const unsigned int a) -> const auto &
     {
-      return *constraints.get_constraint_entries(dofs[a]);
+      return weights[a];
     };
     const auto place_of = [&](const types::global_dof_index node) {
       return std::find(nodes, nodes + n_nodes, node) - nodes;
@@ -100,7 +84,7 @@ namespace seiche
 
     std::vector<double> C(n_nodes * n_nodes, 0.);
     for (unsigned int a = 0; a < n_nodes; ++a)
-      if (!constraints.is_constrained(dofs[a]))
+      if (!masters.hangs(dofs[a]))
         C[a * n_nodes + a] = 1.;
       else
         for (const auto &[master, weight] : masters_of(a))

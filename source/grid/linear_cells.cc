@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/linear_cells.h>
-#include <seiche/utilities/compatibility.h>
 #include <seiche/utilities/shape_functions.h>
-
-#include <deal.II/dofs/dof_tools.h>
-
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_tools.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -58,6 +52,7 @@ namespace seiche
   void
   LinearCells<dim>::reinit(const DoFHandler<dim>   &dof_handler,
                            const CellLocator<dim>  &locator,
+                           const NodeMasters<dim>  &masters,
                            const HangingNodes<dim> &hanging_nodes)
   {
     constexpr unsigned int n = TensorShape<dim, 2>::n_nodes;
@@ -79,37 +74,25 @@ namespace seiche
     plain_vertices.matrix = nullptr;
 
     // the masters of an own cell's hanging nodes lie on cells that touch it
-    AffineConstraints<double> constraints(
-      compatibility::locally_relevant_dofs(dof_handler));
-    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-    constraints.close();
-    const std::vector<unsigned int> hierarchic =
-      FETools::lexicographic_to_hierarchic_numbering<dim>(2);
     std::map<types::global_dof_index, Parents> parents;
-    std::vector<types::global_dof_index>       dofs(n);
-    if (constraints.n_constraints() > 0)
+    std::vector<types::global_dof_index>       dofs;
+    if (masters.any_hanging())
       for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
         {
-          const typename DoFHandler<dim>::active_cell_iterator iterator(
-            &dof_handler.get_triangulation(),
-            locator.iterator(cell)->level(),
-            locator.iterator(cell)->index(),
-            &dof_handler);
-          iterator->get_dof_indices(dofs);
+          get_nodes(dof_handler, locator, cell, dofs);
           for (unsigned int a = 0; a < n; ++a)
             {
-              Parents &list = parents[dofs[hierarchic[a]]];
+              Parents &list = parents[masters.unknown(dofs[a])];
               if (!list.empty())
                 continue;
               const std::vector<unsigned int> ends = ends_of<dim>(a);
               for (const unsigned int end : ends)
                 {
-                  const types::global_dof_index dof = dofs[hierarchic[end]];
-                  if (!constraints.is_constrained(dof))
-                    list.emplace_back(dof, 1. / ends.size());
+                  const types::global_dof_index dof = dofs[end];
+                  if (!masters.hangs(dof))
+                    list.emplace_back(masters.unknown(dof), 1. / ends.size());
                   else
-                    for (const auto &[master, weight] :
-                         *constraints.get_constraint_entries(dof))
+                    for (const auto &[master, weight] : masters.masters(dof))
                       list.emplace_back(master, weight / ends.size());
                 }
             }

@@ -10,17 +10,26 @@ namespace seiche
 
   namespace
   {
-    /// Distance of two boxes, the largest of the directions; zero if they
-    /// touch or overlap.
+    /// Distance of two boxes, the largest of the directions, the shorter way
+    /// around in periodic ones; zero if they touch or overlap.
     template <int dim>
     double
-    gap(const BoundingBox<dim> &a, const BoundingBox<dim> &b)
+    gap(const BoundingBox<dim>    &a,
+        const BoundingBox<dim>    &b,
+        const GridParameters<dim> &grid)
     {
       double result = 0.;
       for (unsigned int d = 0; d < dim; ++d)
-        result = std::max({result,
-                           a.lower_bound(d) - b.upper_bound(d),
-                           b.lower_bound(d) - a.upper_bound(d)});
+        {
+          const double above = a.lower_bound(d) - b.upper_bound(d);
+          const double below = b.lower_bound(d) - a.upper_bound(d);
+          double       here  = std::max(above, below);
+          if (grid.is_periodic(d))
+            here = std::min(here,
+                            grid.upper_corner[d] - grid.lower_corner[d] +
+                              std::min(above, below));
+          result = std::max(result, here);
+        }
       return result;
     }
 
@@ -280,12 +289,12 @@ namespace seiche
         bool wanted = criterion.kind == RefinementKind::box;
         if (!wanted && holds_fluid[cell])
           wanted = true;
-        if (wanted && std::any_of(places.begin(),
-                                  places.end(),
-                                  [&](const BoundingBox<dim> &place) {
-                                    return gap(place, locator.box(cell)) <=
-                                           criterion.distance;
-                                  }))
+        if (wanted &&
+            std::any_of(
+              places.begin(), places.end(), [&](const BoundingBox<dim> &place) {
+                return gap(place, locator.box(cell), grid.parameters) <=
+                       criterion.distance;
+              }))
           wanted_level[cell] = std::max(wanted_level[cell], level);
       }
   }

@@ -49,9 +49,10 @@ namespace seiche
     const auto &triangulation = locator.grid.triangulation;
     global_cells              = triangulation.n_global_active_cells();
     dof_handler.distribute_dofs(fe);
-    hanging_nodes.reinit(dof_handler, locator);
+    const NodeMasters<dim> masters(dof_handler, locator);
+    hanging_nodes.reinit(dof_handler, locator, masters);
     if (fe.degree > 1)
-      linear_cells.reinit(dof_handler, locator, hanging_nodes);
+      linear_cells.reinit(dof_handler, locator, masters, hanging_nodes);
     reset_matrices();
 
     number_cells();
@@ -114,10 +115,15 @@ namespace seiche
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
       for (unsigned int a = 0; a < n_nodes; ++a)
         if (!hanging_nodes.hangs(cell, a))
-          for (unsigned int d = 0; d < dim; ++d)
-            position_full[full_cell_nodes[cell * n_nodes + a]][d] =
-              locator.lower_corner(cell)[d] +
-              place(a, d) * locator.extent(cell)[d] / fe.degree;
+          {
+            Point<dim> x = locator.lower_corner(cell);
+            for (unsigned int d = 0; d < dim; ++d)
+              x[d] += place(a, d) * locator.extent(cell)[d] / fe.degree;
+            for (unsigned int d = 0; d < dim; ++d)
+              if (place(a, d) == fe.degree && locator.at_seam(cell, 2 * d + 1))
+                x[d] = locator.domain().lower_bound(d);
+            position_full[full_cell_nodes[cell * n_nodes + a]] = x;
+          }
   }
 
   template <int dim>

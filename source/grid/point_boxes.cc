@@ -106,7 +106,7 @@ namespace seiche
     unsigned int holder = locator.find(place, cell);
     if (holder == locator.invalid)
       holder = cell;
-    Point<dim> unit = locator.to_unit(holder, place);
+    Point<dim> unit = locator.to_unit(holder, locator.image(place, holder));
     for (unsigned int d = 0; d < dim; ++d)
       unit[d] = std::clamp(unit[d], 0., 1.);
     double N[Shape::n_nodes];

@@ -240,6 +240,8 @@ namespace seiche
           {
             Point<dim> x = box.center();
             x[d] += 0.501 * step * box.side_length(d);
+            if (locator.wrapped(x) != x)
+              return false; // a body ends at a seam
             cell = locator.find(x, cell);
             if (cell == CellLocator<dim>::invalid)
               return false;

@@ -12,6 +12,8 @@ namespace seiche
   CellLocator<dim>::CellLocator(const BackgroundGrid<dim> &background_grid)
     : grid(background_grid)
   {
+    for (unsigned int d = 0; d < dim; ++d)
+      periodic[d] = grid.parameters.is_periodic(d);
     reinit();
   }
 
@@ -176,9 +178,10 @@ namespace seiche
     iterators.push_back(cell);
     boundary_ids.emplace_back();
     for (const unsigned int face : cell->face_indices())
-      boundary_ids.back()[face] = cell->at_boundary(face) ?
-                                    cell->face(face)->boundary_id() :
-                                    dealii::numbers::internal_face_boundary_id;
+      boundary_ids.back()[face] =
+        cell->at_boundary(face) && !at_seam(lower.size() - 1, face) ?
+          cell->face(face)->boundary_id() :
+          dealii::numbers::internal_face_boundary_id;
   }
 
 

@@ -123,14 +123,15 @@ namespace seiche
         if (cell != invalid && holds(cell, x))
           return cell;
       }
-    Lattice index;
-    if (lattice_position(x, index))
+    Lattice                  index;
+    const dealii::Point<dim> inside = wrapped(x);
+    if (lattice_position(inside, index))
       {
         const unsigned int cell = search(index);
         if (cell != invalid || !in_obstacle(index))
           return cell;
       }
-    return find_at_wall(x);
+    return find_at_wall(inside);
   }
 
 

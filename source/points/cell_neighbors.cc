@@ -24,6 +24,11 @@ namespace seiche
           if (boundary_ids[cell][face] !=
               dealii::numbers::internal_face_boundary_id)
             continue;
+          if (at_seam(cell, face))
+            {
+              face_neighbors[cell][face] = across_seam(cell, face);
+              continue;
+            }
           const auto other = iterators[cell]->neighbor(face);
           if (other->is_active() && !other->is_artificial())
             face_neighbors[cell][face] = index(other);
@@ -38,17 +43,21 @@ namespace seiche
   {
     constexpr unsigned int n_vertices =
       dealii::GeometryInfo<dim>::vertices_per_cell;
+    const std::vector<unsigned int> joined = joined_vertices();
+    const auto vertex_of = [&](const unsigned int cell, const unsigned int v) {
+      return joined[iterators[cell]->vertex_index(v)];
+    };
     std::vector<unsigned int> begin(grid.triangulation.n_vertices() + 1, 0);
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
       for (unsigned int v = 0; v < n_vertices; ++v)
-        ++begin[iterators[cell]->vertex_index(v) + 1];
+        ++begin[vertex_of(cell, v) + 1];
     for (unsigned int v = 1; v < begin.size(); ++v)
       begin[v] += begin[v - 1];
     std::vector<unsigned int> next(begin.begin(), begin.end() - 1);
     std::vector<unsigned int> cells_at(begin.back());
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
       for (unsigned int v = 0; v < n_vertices; ++v)
-        cells_at[next[iterators[cell]->vertex_index(v)]++] = cell;
+        cells_at[next[vertex_of(cell, v)]++] = cell;
 
     vertex_neighbor_begin.assign(1, 0);
     vertex_neighbor_list.clear();
@@ -56,7 +65,7 @@ namespace seiche
       {
         for (unsigned int v = 0; v < n_vertices; ++v)
           {
-            const unsigned int vertex = iterators[cell]->vertex_index(v);
+            const unsigned int vertex = vertex_of(cell, v);
             for (unsigned int i = begin[vertex]; i < begin[vertex + 1]; ++i)
               if (cells_at[i] != cell)
                 vertex_neighbor_list.push_back(cells_at[i]);

@@ -136,6 +136,7 @@ namespace seiche
   void
   PointCloud<dim>::locate()
   {
+    wrap();
     std::vector<std::size_t> emigrants;
     const Census             census = find_cells(emigrants);
     // every rank takes part in the exchange, also when a point is lost here
@@ -144,6 +145,24 @@ namespace seiche
     if (census.moved || size() > census.n_before || cell_begin.empty())
       sort();
     account(census);
+  }
+
+
+
+  template <int dim>
+  void
+  PointCloud<dim>::wrap()
+  {
+    if (!locator.grid.parameters.any_periodic())
+      return;
+    for (std::size_t p = 0; p < size(); ++p)
+      {
+        const dealii::Point<dim> here   = position(p);
+        const dealii::Point<dim> inside = locator.wrapped(here);
+        for (unsigned int d = 0; d < dim; ++d)
+          if (inside[d] != here[d])
+            data(PointColumn::position, d)[p] = inside[d];
+      }
   }
 
 

@@ -166,7 +166,7 @@ namespace seiche
         for (unsigned int c = 0; c < parameters.n_components(); ++c)
           computed[c] =
             field.local_element(parameters.n_components() * node + c);
-        add(x, computed, mass);
+        add(view.occupancy.locator.wrapped(x), computed, mass);
       }
   }
 
@@ -190,7 +190,7 @@ namespace seiche
             computed[0] = place.value(*p);
           else
             computed = place.vector_value(view.state.velocity_np1);
-          add(x,
+          add(view.occupancy.locator.wrapped(x),
               computed,
               view.occupancy.locator.measure(cell) * quadrature.weight(q));
         }
@@ -220,7 +220,7 @@ namespace seiche
         else
           for (unsigned int d = 0; d < dim; ++d)
             computed[d] = v[d][i];
-        add(x, computed, /*weight=*/1.);
+        add(view.occupancy.locator.wrapped(x), computed, /*weight=*/1.);
       }
   }
 

@@ -137,7 +137,7 @@ namespace seiche
     double      result  = none;
     for (const unsigned int cell : under_ceiling)
       {
-        Point<dim> unit   = locator.to_unit(cell, place);
+        Point<dim> unit   = locator.to_unit(cell, locator.image(place, cell));
         unit[dim - 1]     = 1.;
         const auto level  = view.fill.surface().level_in(cell);
         double     here   = 0.;
@@ -169,9 +169,13 @@ namespace seiche
   ExtentOfSurface<dim>::level(const Point<dim> &place,
                               const double /*width*/) const
   {
-    double result = ceiling(place);
+    const auto &locator = view.occupancy.locator;
+    double      result  = ceiling(place);
     for (const MovedPiece<dim> &piece : pieces)
-      result = std::max(result, height<dim>(piece.place, piece.place, place));
+      result = std::max(result,
+                        height<dim>(piece.place,
+                                    piece.place,
+                                    locator.image(place, piece.cell)));
     return result;
   }
 
@@ -188,7 +192,10 @@ namespace seiche
           for (unsigned int d = 0; d < dim; ++d)
             x[d] = locator.lower_corner(piece.cell)[d] +
                    x[d] * locator.extent(piece.cell)[d];
-        result = std::max(result, height<dim>(piece.place, before, place));
+        result = std::max(result,
+                          height<dim>(piece.place,
+                                      before,
+                                      locator.image(place, piece.cell)));
       }
     return result;
   }

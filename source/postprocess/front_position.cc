@@ -39,6 +39,10 @@ namespace seiche
                     box.upper_corner[dim - 1] - box.lower_corner[dim - 1],
                   std::string(kind) + " " + name + "/Least height",
                   "no fluid can be higher than the domain.");
+    input.require(!box.is_periodic(axis()),
+                  std::string(kind) + " " + name + "/Direction",
+                  "the sides across it are periodic: fluid has no end along "
+                  "it.");
   }
 
   template <int dim>

@@ -15,12 +15,10 @@ namespace seiche
 
     template <int dim>
     bool
-    is_close(const Point<dim>     &a,
-             const Point<dim>     &b,
-             const Tensor<1, dim> &extent)
+    is_small(const Tensor<1, dim> &way, const Tensor<1, dim> &extent)
     {
       for (unsigned int d = 0; d < dim; ++d)
-        if (std::abs(a[d] - b[d]) > tolerance * extent[d])
+        if (std::abs(way[d]) > tolerance * extent[d])
           return false;
       return true;
     }
@@ -63,24 +61,23 @@ namespace seiche
     const CellLocator<dim> &locator = occupancy.locator;
     const auto [lower, upper]       = locator.domain().get_boundary_points();
 
-    Point<dim> xi = clamp(x, lower, upper);
+    Point<dim> xi = clamp(locator.wrapped(x), lower, upper);
     cell          = locator.find(xi, cell);
     if (cell == CellLocator<dim>::invalid || !occupancy.is_active(cell))
       return false;
     reinit(cell, locator.to_unit(cell, xi));
     for (unsigned int i = 0; i < max_iterations; ++i)
       {
-        const Point<dim> next =
-          clamp(Point<dim>(x - theta * vector_value(view.state.displacement())),
-                lower,
-                upper);
+        const Point<dim> start =
+          x - theta * vector_value(view.state.displacement());
+        const Point<dim>   next = clamp(locator.wrapped(start), lower, upper);
         const unsigned int next_cell = locator.find(next, cell);
         // into an obstacle or beyond what this rank knows: stay
         if (next_cell == CellLocator<dim>::invalid ||
             !occupancy.is_active(next_cell))
           break;
         reinit(next_cell, locator.to_unit(next_cell, next));
-        if (is_close(next, xi, locator.extent(cell)))
+        if (is_small(locator.shortest(next - xi), locator.extent(cell)))
           break;
         xi = next;
       }
@@ -97,16 +94,18 @@ namespace seiche
     const Point<dim>       &lower   = locator.lower_corner(cell_at_start);
     const Point<dim>        upper   = lower + locator.extent(cell_at_start);
 
-    Point<dim> xi = clamp(x, lower, upper);
+    const Point<dim> end = locator.image(x, cell_at_start);
+    Point<dim>       xi  = clamp(end, lower, upper);
     reinit(cell_at_start, locator.to_unit(cell_at_start, xi));
     for (unsigned int i = 0; i < max_iterations; ++i)
       {
         const Point<dim> next =
-          clamp(Point<dim>(x - theta * vector_value(view.state.displacement())),
+          clamp(Point<dim>(end -
+                           theta * vector_value(view.state.displacement())),
                 lower,
                 upper);
         reinit(cell, locator.to_unit(cell, next));
-        if (is_close(next, xi, locator.extent(cell)))
+        if (is_small(Tensor<1, dim>(next - xi), locator.extent(cell)))
           break;
         xi = next;
       }

@@ -51,6 +51,8 @@ namespace seiche
           {
             x[d] = view.points.data(PointColumn::position, d);
             v[d] = view.points.data(PointColumn::velocity, d);
+            if (view.occupancy.locator.grid.parameters.is_periodic(d))
+              gravity[d] = 0.; // a force along it has no potential
           }
       }
     };

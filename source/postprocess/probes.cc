@@ -40,8 +40,14 @@ namespace seiche
     unsigned int
     wall_normal(const Point<dim> &x, const GridParameters<dim> &box)
     {
-      auto nearest  = nearest_face(x, box.lower_corner, box.upper_corner);
-      nearest.first = std::abs(nearest.first);
+      std::pair<double, unsigned int> nearest(
+        std::numeric_limits<double>::max(), 0);
+      for (unsigned int d = 0; d < dim; ++d)
+        if (!box.is_periodic(d))
+          nearest = std::min(nearest,
+                             {std::abs(std::max(box.lower_corner[d] - x[d],
+                                                x[d] - box.upper_corner[d])),
+                              d});
       for (const auto &obstacle : box.obstacles)
         {
           const auto face =

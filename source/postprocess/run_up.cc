@@ -37,6 +37,10 @@ namespace seiche
                   "there is no wall \"" + wall + "\"" +
                     (hint.empty() ? "." : hint) + " Walls are " +
                     quoted_list(known) + ".");
+    require_no_seam(input,
+                    grid,
+                    std::string(kind) + " " + name + "/Wall",
+                    wall);
   }
 
   template <int dim>

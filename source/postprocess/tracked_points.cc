@@ -74,7 +74,9 @@ namespace seiche
         for (std::size_t i = 0; i < view.points.size(); ++i)
           {
             const double distance =
-              view.points.position(i).distance_square(track.position);
+              view.points.locator
+                .shortest(view.points.position(i) - track.position)
+                .norm_square();
             if (distance < nearest ||
                 (distance == nearest && view.points.ids()[i] < id))
               {
@@ -127,7 +129,8 @@ namespace seiche
         Point<dim> x;
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = found[t * (dim + 1) + d];
-        const double radius = x.distance(tracks[t].centre);
+        const double radius =
+          view.points.locator.shortest(x - tracks[t].centre).norm();
         if (first)
           start_radius[t] = radius;
         const auto columns = tracks[t].columns();

@@ -103,6 +103,7 @@ namespace seiche
                       "there is no wall \"" + *wall + "\"" +
                         (hint.empty() ? "." : hint) + " Walls are " +
                         quoted_list(known) + ".");
+        require_no_seam(input, grid, path, *wall);
         input.require(face == "all" || id - known.begin() >= 2 * dim,
                       std::string(kind) + " " + name + "/Face",
                       "the wall \"" + *wall +

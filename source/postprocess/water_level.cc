@@ -127,10 +127,17 @@ namespace seiche
     const auto under = [&](const Point<dim> &lower, const Point<dim> &upper) {
       double result = 1.;
       for (unsigned int d = 0; d + 1 < dim; ++d)
-        result *= hat_integral(position[d],
-                               width,
-                               std::max(lower[d], domain.first[d]),
-                               std::min(upper[d], domain.second[d]));
+        {
+          const double length = domain.second[d] - domain.first[d];
+          double       sum    = 0.; // over the images across a seam
+          for (const int period : {-1, 0, 1})
+            if (period == 0 || box.is_periodic(d))
+              sum += hat_integral(position[d] + period * length,
+                                  width,
+                                  std::max(lower[d], domain.first[d]),
+                                  std::min(upper[d], domain.second[d]));
+          result *= sum;
+        }
       return result;
     };
     const double whole    = under(domain.first, domain.second);
@@ -191,18 +198,17 @@ namespace seiche
                               const Point<dim>    &place,
                               const double         width) const
   {
-    const double *volume = view.points.data(PointColumn::initial_volume);
-    std::array<const double *, dim - 1> x;
-    for (unsigned int d = 0; d + 1 < dim; ++d)
-      x[d] = view.points.data(PointColumn::position, d);
+    const double   *volume = view.points.data(PointColumn::initial_volume);
     const Footprint foot =
       footprint(place, width, view.box.get_boundary_points());
     double result = 0.;
     for (std::size_t i = 0; i < view.points.size(); ++i)
       {
+        const Tensor<1, dim> way =
+          view.occupancy.locator.shortest(view.points.position(i) - place);
         double weight = 1.;
         for (unsigned int d = 0; d + 1 < dim; ++d)
-          weight *= std::max(0., 1. - std::abs(x[d][i] - place[d]) / width);
+          weight *= std::max(0., 1. - std::abs(way[d]) / width);
         if (weight > 0. &&
             is_over_obstacle(view.points.position(i)) == foot.on_obstacle)
           result += weight * volume[i] / foot.area;

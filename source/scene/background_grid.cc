@@ -5,6 +5,7 @@
 #include <deal.II/base/table.h>
 
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -132,6 +133,12 @@ namespace seiche
     for (unsigned int d = 0; d < dim; ++d)
       lattice[d] = make_segments(parameters, d);
     n_refinements = common_power_of_two<dim>(lattice);
+    // nor may refinement leave fewer: the coarsest cells are the forest's
+    for (unsigned int d = 0; d < dim; ++d)
+      while (parameters.is_periodic(d) && n_refinements > 0 &&
+             (n_lattice_cells(d) >> n_refinements) <
+               parameters.fewest_periodic_cells)
+        --n_refinements;
     for (const auto &obstacle : parameters.obstacles)
       {
         LatticeBox box;
@@ -144,6 +151,7 @@ namespace seiche
       }
     make_coarse_cells();
     set_boundary_ids();
+    join_periodic_sides();
     triangulation.repartition(); // automatic partitioning is off
     for (unsigned int i = 0; i < n_refinements; ++i)
       {
@@ -251,6 +259,23 @@ namespace seiche
             }
           cell->face(face)->set_all_boundary_ids(id);
         }
+  }
+
+
+
+  template <int dim>
+  void
+  BackgroundGrid<dim>::join_periodic_sides()
+  {
+    std::vector<dealii::GridTools::PeriodicFacePair<
+      typename dealii::Triangulation<dim>::cell_iterator>>
+      pairs;
+    for (unsigned int d = 0; d < dim; ++d)
+      if (parameters.is_periodic(d))
+        dealii::GridTools::collect_periodic_faces(
+          triangulation, 2 * d, 2 * d + 1, d, pairs);
+    if (!pairs.empty())
+      triangulation.add_periodicity(pairs);
   }
 
 

@@ -203,6 +203,8 @@ namespace seiche
     std::vector<dealii::BoundingBox<dim>> boxes;
     for (unsigned int side = 0; side < 2 * dim; ++side)
       {
+        if (grid.is_periodic(side / 2))
+          continue;
         auto corners = std::make_pair(grid.lower_corner, grid.upper_corner);
         (side % 2 == 0 ? corners.second : corners.first)[side / 2] =
           (side % 2 == 0 ? corners.first : corners.second)[side / 2];

@@ -255,6 +255,7 @@ namespace seiche
                                  wall_motion.box(state.time + state.dt),
                                  points);
       }
+    points.wrap();
     if (accepts)
       accepted_failures.account(
         step_solver.effort(), n_held, state.time, communicator, report);

@@ -121,9 +121,11 @@ namespace seiche
           if (const unsigned int node = vertex(cell, v); !is_known(node))
             {
               count.local_element(node) += 1.;
-              Shape::values(
-                occupancy.locator.to_unit(donor, occupancy.node_position(node)),
-                N[v]);
+              Shape::values(occupancy.locator.to_unit(
+                              donor,
+                              occupancy.locator.image(
+                                occupancy.node_position(node), donor)),
+                            N[v]);
             }
         for (Field &field : fields)
           for (unsigned int c = 0; c < field.n_components; ++c)

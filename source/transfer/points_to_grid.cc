@@ -236,7 +236,8 @@ namespace seiche
               sums.mass[i] += N[i];
               sums.pressure[i] += N[i] * arrays.pressure[p];
               const dealii::Tensor<1, dim> arm =
-                occupancy.node_position(nodes[i]) - x;
+                points.locator.image(occupancy.node_position(nodes[i]), cell) -
+                x;
               for (unsigned int c = 0; c < dim; ++c)
                 {
                   double value = velocity.value(p, c);

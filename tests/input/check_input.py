@@ -76,6 +76,8 @@ def added(text):
 
 
 LAST = SCENE.count("\n")
+# to go before an "end"
+PERIODIC = "subsection Walls\n  set Left = periodic\n  set Right = periodic\n"
 
 SYNTAX = [
     Case("missing end", **added("subsection Walls\n"), line=LAST + 1,
@@ -296,6 +298,43 @@ GEOMETRY = [
                  "subsection Obstacle b\n  set Lower corner = 0.6, 0\n"
                  "  set Upper corner = 0.8, 0.1\nend\n"),
          line=LAST + 6, expect=['"Lower corner" in "Obstacle b"', '"a"']),
+    Case("one periodic side", **added("subsection Walls\n  set Left = periodic\nend\n"),
+         line=None, expect=['"Right" in "Walls"', '"Left" is periodic']),
+    Case("few cells along a periodic direction", "  set Cell size    = 0.1",
+         "  set Cells x = 3\n  set Cells y = 5\nend\n" + PERIODIC, line=5,
+         expect=['"Cells x" in "Grid"', "at least 4"]),
+    Case("periodic side that moves",
+         **added("subsection Walls\n  set Left = periodic\n  set Right = periodic\n"
+                 "  set Right displacement = 0.1*t\nend\n"),
+         line=LAST + 4, expect=['"Right displacement"', "no wall"]),
+    Case("friction of a periodic side",
+         **added("subsection Walls\n  set Left = periodic\n  set Right = periodic\n"
+                 "  set Left friction = 0.01\nend\n"),
+         line=LAST + 4, expect=['"Left friction"']),
+    Case("velocity of a periodic side",
+         **added("subsection Walls\n  set Left = periodic\n  set Right = periodic\n"
+                 "  set Left velocity = 0; 1\nend\n"),
+         line=LAST + 4, expect=['"Left velocity"', "no-slip"]),
+    Case("obstacle at one periodic side", "  set Cell size    = 0.1",
+         "  set Cell size    = 0.1\nend\nsubsection Obstacle o\n"
+         "  set Lower corner = 0.7, 0\n  set Upper corner = 1, 0.2\nend\n" + PERIODIC,
+         line=9, expect=['"Upper corner" in "Obstacle o"', '"right"']),
+    Case("front along a periodic direction", "  set Cell size    = 0.1",
+         "  set Cell size    = 0.1\nend\nsubsection Front f\n"
+         "  set Direction = x\nend\n" + PERIODIC,
+         line=8, expect=['"Direction" in "Front f"', "periodic"]),
+    Case("force on a periodic side", "  set Cell size    = 0.1",
+         "  set Cell size    = 0.1\nend\nsubsection Force f\n"
+         "  set Walls = bottom, left\nend\n" + PERIODIC,
+         line=8, expect=['"Walls" in "Force f"', '"left" is periodic']),
+    Case("run-up on a periodic side", "  set Cell size    = 0.1",
+         "  set Cell size    = 0.1\nend\nsubsection Run-up r\n"
+         "  set Wall = right\nend\n" + PERIODIC,
+         line=8, expect=['"Wall" in "Run-up r"', '"right" is periodic']),
+    Case("refinement near a periodic side", "  set Cell size    = 0.1",
+         "  set Cell size    = 0.1\nend\nsubsection Refinement r\n"
+         "  set Criterion = walls\n  set Distance = 0.1\n  set Names = left\nend\n"
+         + PERIODIC, line=10, expect=['"Names" in "Refinement r"', '"left"']),
     Case("sound in an incompressible fluid",
          **added("subsection Time\n  set Elastic pressure = middle\nend\n"),
          line=LAST + 2, expect=['"Elastic pressure" in "Time"', "Bulk"]),

@@ -27,6 +27,7 @@ SCENE_PISTON = str(HERE / "piston_2d.prm")
 SCENE_ADAPTIVE = str(HERE / "adaptive_2d.prm")
 SCENE_CROWDED = str(HERE.parent / "robustness/alarms/crowded.prm")
 SCENE_BOX = str(HERE / "box_3d.prm")
+SCENE_SEAM = str(HERE / "seam_3d.prm")
 SCENE_POINTS = str(HERE / "cavity_2d.prm")
 # leave nothing to the solver's choices
 TIGHT = ["Solver/Newton tolerance = 1e-12",
@@ -138,6 +139,11 @@ def alarms(make, folder, ranks):
 
 def exact_box(make, folder, ranks):
     exact(make(SCENE_BOX, ranks), folder, ["statistics.csv"], ["0.07"])
+
+
+def exact_seam(make, folder, ranks):
+    """Points have crossed periodic sides."""
+    exact(make(SCENE_SEAM, ranks), folder, ["statistics.csv"], ["0.07"])
 
 
 def exact_points(make, folder, ranks):
@@ -332,6 +338,7 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_adaptive_2_ranks": (exact_adaptive, 2),
          "alarms": (alarms, 1),
          "exact_box_2_ranks": (exact_box, 2),
+         "exact_seam": (exact_seam, 1), "exact_seam_2_ranks": (exact_seam, 2),
          "exact_points": (exact_points, 1),
          "exact_points_2_ranks": (exact_points, 2),
          "other_ranks": (other_ranks, 1), "damaged": (damaged, 1),

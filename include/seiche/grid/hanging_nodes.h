@@ -2,14 +2,9 @@
 #ifndef seiche_grid_hanging_nodes_h
 #define seiche_grid_hanging_nodes_h
 
+#include <seiche/grid/node_masters.h>
 #include <seiche/grid/node_matrix.h>
-#include <seiche/points/cell_locator.h>
 
-#include <deal.II/dofs/dof_handler.h>
-
-#include <deal.II/lac/affine_constraints.h>
-
-#include <map>
 #include <vector>
 
 namespace seiche
@@ -23,7 +18,8 @@ namespace seiche
    * matrix C gives the values at its own nodes from those at the nodes of the
    * list: v = C v^, R^ = C^T R, K^ = C^T K C. Sums of shape functions stay
    * one, so that sums over points conserve mass and momentum. Cells without
-   * hanging nodes, nearly all, have no matrix.
+   * hanging nodes, nearly all, have no matrix. At a seam, the list has the
+   * unknowns that stand for the cell's nodes.
    */
   template <int dim>
   class HangingNodes
@@ -35,7 +31,8 @@ namespace seiche
     /// Collective.
     void
     reinit(const dealii::DoFHandler<dim> &dof_handler,
-           const CellLocator<dim>        &locator);
+           const CellLocator<dim>        &locator,
+           const NodeMasters<dim>        &masters);
 
     /// Nodes of a cell [n_nodes], masters in place of hanging nodes: full
     /// global numbering.
@@ -60,13 +57,11 @@ namespace seiche
     }
 
   private:
-    using Constraints = dealii::AffineConstraints<double>;
-
     /// Nodes and matrix of an own cell.
     void
     resolve(const unsigned int                                  cell,
             const std::vector<dealii::types::global_dof_index> &dofs,
-            const Constraints                                  &constraints);
+            const NodeMasters<dim>                             &masters);
     /// Of ghost cells, from their owners. Collective.
     void
     exchange(const CellLocator<dim> &locator);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 
 namespace seiche
 {
@@ -28,6 +29,7 @@ namespace seiche
     void
     reinit(const dealii::DoFHandler<dim> &dof_handler,
            const CellLocator<dim>        &locator,
+           const NodeMasters<dim>        &masters,
            const HangingNodes<dim>       &hanging);
 
     /// True if the unknown at this place of a cell's list lies in the middle

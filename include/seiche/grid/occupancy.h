@@ -342,7 +342,8 @@ namespace seiche
       return volume_full[full_of_compact[node]];
     }
 
-    /// Of an own node, or of a node of an own cell.
+    /// Of an own node, or of a node of an own cell; on the lower side if it
+    /// lies at a seam: CellLocator::image() is where a cell has it.
     const dealii::Point<dim> &
     node_position(const unsigned int node) const
     {

@@ -27,6 +27,10 @@ namespace seiche
    * their cell. The result depends on the position alone, never on the rank
    * count. A position on a wall up to 1e-10 of a cell belongs to the cell
    * inside.
+   *
+   * Periodic sides are no boundary: cells across the seam are neighbours, and a
+   * position beyond it is found where wrapped() takes it. Coordinates of a cell
+   * and of a position found in it may then differ by a period: image().
    */
   template <int dim>
   class CellLocator
@@ -67,8 +71,21 @@ namespace seiche
       return lower.size();
     }
 
-    /// Cell that holds @p x among own and ghost cells, or invalid. @p hint is
-    /// tried first, then its neighbours. Local.
+    /// Where @p x is inside the domain if it is beyond a periodic side: half
+    /// open, [lower, upper). Other coordinates stay.
+    dealii::Point<dim>
+    wrapped(const dealii::Point<dim> &x) const;
+
+    /// @p x moved by periods so that it is nearest to the cell.
+    dealii::Point<dim>
+    image(const dealii::Point<dim> &x, const unsigned int cell) const;
+
+    /// @p x in periodic directions as difference of two places: the least.
+    dealii::Tensor<1, dim>
+    shortest(const dealii::Tensor<1, dim> &x) const;
+
+    /// Cell that holds @p x (wrapped) among own and ghost cells, or invalid. @p
+    /// hint is tried first, then its neighbours. Local.
     unsigned int
     find(const dealii::Point<dim> &x, const unsigned int hint = invalid) const;
 
@@ -187,6 +204,24 @@ namespace seiche
       return boundary_ids[cell][face];
     }
 
+    /// True if the cell has a face on a periodic side.
+    bool
+    at_seam(const unsigned int cell, const unsigned int face) const
+    {
+      const unsigned int d = face / 2;
+      return periodic[d] && (face % 2 == 0 ? lattice_lower[cell][d] == 0 :
+                                             lattice_upper[cell][d] + 1 ==
+                                               lines[d].places.size());
+    }
+    bool
+    at_seam(const unsigned int cell) const;
+
+    /// Place in a cell in halves of its edges (0, 1, 2 per direction), as
+    /// halves of the finest lattice's cells, the same on both sides of a seam.
+    std::array<unsigned int, dim>
+    lattice_place(const unsigned int                   cell,
+                  const std::array<unsigned int, dim> &halves) const;
+
     /// Number of cells of the finest lattice along an edge of the cell.
     unsigned int
     lattice_size(const unsigned int cell) const
@@ -276,6 +311,13 @@ namespace seiche
     find_face_neighbors();
     void
     find_vertex_neighbors();
+    /// Cell across a face on a periodic side, as neighbor().
+    unsigned int
+    across_seam(const unsigned int cell, const unsigned int face) const;
+    /// Of each vertex of the triangulation the number that stands for it and
+    /// for those that coincide with it across a seam.
+    std::vector<unsigned int>
+    joined_vertices() const;
 
     /// Index on the finest lattice; false if outside the box.
     bool
@@ -310,6 +352,7 @@ namespace seiche
     std::array<Lines, dim> lines;     // where they are
     std::array<Lines, dim> reference; // of the triangulation, never moved
     LinePlace              line_place;
+    std::array<bool, dim>  periodic{};
     unsigned int           finest_level   = 0;
     unsigned int           obstacle_shift = 0; // grid's lattice -> finest
     // (Morton key of the lower lattice corner, cell), sorted by key: the cells

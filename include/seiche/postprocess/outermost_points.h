@@ -45,9 +45,10 @@ namespace seiche
     level(const dealii::Point<dim> &place, const double width) const override
     {
       return with_spacing(largest(dim - 1, 1., [&](const Entry &entry) {
+        const auto way = view.occupancy.locator.shortest(
+          view.points.position(entry.point) - place);
         for (unsigned int d = 0; d + 1 < dim; ++d)
-          if (std::abs(view.points.data(PointColumn::position, d)[entry.point] -
-                       place[d]) >= width)
+          if (std::abs(way[d]) >= width)
             return false;
         return true;
       }));

@@ -2,6 +2,7 @@
 #ifndef seiche_postprocess_wall_names_h
 #define seiche_postprocess_wall_names_h
 
+#include <seiche/parameters/input_file.h>
 #include <seiche/scene/grid_parameters.h>
 
 #include <string>
@@ -18,6 +19,21 @@ namespace seiche
     for (unsigned int id = 0; id < grid.n_walls(); ++id)
       names.push_back(grid.wall_name(id));
     return names;
+  }
+
+  /// InputError if the wall of that name, read at @p path, is a periodic side.
+  template <int dim>
+  void
+  require_no_seam(const InputFile           &input,
+                  const GridParameters<dim> &grid,
+                  const std::string         &path,
+                  const std::string         &name)
+  {
+    for (unsigned int id = 0; id < grid.n_walls(); ++id)
+      input.require(grid.wall_name(id) != name ||
+                      grid.wall_condition(id) != WallCondition::periodic,
+                    path,
+                    "the side \"" + name + "\" is periodic: there is no wall.");
   }
 } // namespace seiche
 

@@ -46,6 +46,10 @@ namespace seiche
    * 2 d and 2 d + 1 for the lower and upper side of the box in direction d,
    * 2 dim + i for obstacle i. Names of the sides: left, right, bottom, top in
    * 2D; left, right, front, back, bottom, top in 3D.
+   *
+   * The forest joins periodic sides (balance, ghost cells); what else has to
+   * know that they are one place, the seam, asks CellLocator, which takes them
+   * for no boundary, or NodeMasters.
    */
   template <int dim>
   class BackgroundGrid
@@ -105,6 +109,8 @@ namespace seiche
     make_coarse_cells();
     void
     set_boundary_ids();
+    void
+    join_periodic_sides();
 
     std::array<std::vector<Segment>, dim> lattice;
     std::vector<LatticeBox>               obstacle_boxes;

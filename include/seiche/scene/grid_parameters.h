@@ -26,7 +26,8 @@ namespace seiche
     slip,       ///< normal component fixed
     unilateral, ///< the same, but the fluid may leave the wall
     no_slip,    ///< all components fixed
-    open        ///< nothing fixed; points that cross it leave as outflow
+    open,       ///< nothing fixed; points that cross it leave as outflow
+    periodic    ///< no wall: the opposite side is the same place
   };
 
   /**
@@ -76,6 +77,17 @@ namespace seiche
     double
     friction(const unsigned int id) const;
 
+    /// Fewest cells along a periodic direction: a cell, the two beside it and
+    /// one that is beside none of them, so that a neighbour is so on one side.
+    static constexpr unsigned int fewest_periodic_cells = 4;
+
+    /// True if the two sides across @p direction are one place.
+    bool
+    is_periodic(const unsigned int direction) const;
+    /// True if some direction is periodic.
+    bool
+    any_periodic() const;
+
     /// True if the fluid may leave some wall; if some wall has friction.
     bool
     any_unilateral() const;
@@ -115,6 +127,11 @@ namespace seiche
     check_obstacle(const InputFile &input, const unsigned int index);
     void
     check_friction(const InputFile &input) const;
+    void
+    check_periodic(const InputFile &input) const;
+    void
+    check_periodic_obstacle(const InputFile   &input,
+                            const unsigned int direction) const;
     void
     check_size(const InputFile &input) const;
     void

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/points/cell_locator.h>
+
+#include <deal.II/base/geometry_info.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+// The part of CellLocator that knows periodic sides: the seam.
+namespace seiche
+{
+  template <int dim>
+  dealii::Point<dim>
+  CellLocator<dim>::wrapped(const dealii::Point<dim> &x) const
+  {
+    dealii::Point<dim> result = x;
+    for (unsigned int d = 0; d < dim; ++d)
+      if (periodic[d] && std::isfinite(x[d]))
+        {
+          const double lower = lines[d].places.front();
+          const double upper = lines[d].places.back();
+          if (x[d] >= lower && x[d] < upper)
+            continue;
+          const double length  = upper - lower;
+          const double periods = std::floor((x[d] - lower) / length);
+          // measured from the other side, so that a side goes to a side exactly
+          result[d] = lower + ((x[d] - upper) - (periods - 1.) * length);
+          if (result[d] < lower || result[d] >= upper) // round-off
+            result[d] = lower;
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  dealii::Tensor<1, dim>
+  CellLocator<dim>::shortest(const dealii::Tensor<1, dim> &x) const
+  {
+    dealii::Tensor<1, dim> result = x;
+    for (unsigned int d = 0; d < dim; ++d)
+      if (periodic[d])
+        {
+          const double length =
+            lines[d].places.back() - lines[d].places.front();
+          result[d] -= length * std::round(x[d] / length);
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  dealii::Point<dim>
+  CellLocator<dim>::image(const dealii::Point<dim> &x,
+                          const unsigned int        cell) const
+  {
+    dealii::Point<dim> result = x;
+    for (unsigned int d = 0; d < dim; ++d)
+      if (periodic[d])
+        {
+          const double length =
+            lines[d].places.back() - lines[d].places.front();
+          const double centre = 0.5 * (lower[cell][d] + upper[cell][d]);
+          result[d] -= length * std::round((x[d] - centre) / length);
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
+  bool
+  CellLocator<dim>::at_seam(const unsigned int cell) const
+  {
+    for (unsigned int face = 0; face < 2 * dim; ++face)
+      if (at_seam(cell, face))
+        return true;
+    return false;
+  }
+
+
+
+  template <int dim>
+  std::array<unsigned int, dim>
+  CellLocator<dim>::lattice_place(
+    const unsigned int                   cell,
+    const std::array<unsigned int, dim> &halves) const
+  {
+    std::array<unsigned int, dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const unsigned int n = 2 * (lines[d].places.size() - 1);
+        result[d] = 2 * lattice_lower[cell][d] + halves[d] * lattice_size(cell);
+        if (periodic[d] && result[d] == n)
+          result[d] = 0;
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  CellLocator<dim>::across_seam(const unsigned int cell,
+                                const unsigned int face) const
+  {
+    Lattice beyond   = lattice_lower[cell];
+    beyond[face / 2] = face % 2 == 0 ? lines[face / 2].places.size() - 2 : 0;
+    const unsigned int other = search(beyond);
+    return other != invalid && level(other) <= level(cell) ? other : invalid;
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  CellLocator<dim>::joined_vertices() const
+  {
+    std::vector<unsigned int> result(grid.triangulation.n_vertices());
+    for (unsigned int v = 0; v < result.size(); ++v)
+      result[v] = v;
+    if (!grid.parameters.any_periodic())
+      return result;
+    std::map<std::array<unsigned int, dim>, unsigned int> first;
+    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+      if (at_seam(cell))
+        for (unsigned int v = 0;
+             v < dealii::GeometryInfo<dim>::vertices_per_cell;
+             ++v)
+          {
+            std::array<unsigned int, dim> halves;
+            for (unsigned int d = 0; d < dim; ++d)
+              halves[d] = 2 * ((v >> d) & 1u);
+            const unsigned int vertex = iterators[cell]->vertex_index(v);
+            result[vertex] =
+              first.emplace(lattice_place(cell, halves), vertex).first->second;
+          }
+    return result;
+  }
+
+
+
+  template dealii::Point<2>
+  CellLocator<2>::wrapped(const dealii::Point<2> &) const;
+  template dealii::Point<3>
+  CellLocator<3>::wrapped(const dealii::Point<3> &) const;
+  template dealii::Tensor<1, 2>
+  CellLocator<2>::shortest(const dealii::Tensor<1, 2> &) const;
+  template dealii::Tensor<1, 3>
+  CellLocator<3>::shortest(const dealii::Tensor<1, 3> &) const;
+  template dealii::Point<2>
+  CellLocator<2>::image(const dealii::Point<2> &, const unsigned int) const;
+  template dealii::Point<3>
+  CellLocator<3>::image(const dealii::Point<3> &, const unsigned int) const;
+  template bool
+  CellLocator<2>::at_seam(const unsigned int) const;
+  template bool
+  CellLocator<3>::at_seam(const unsigned int) const;
+  template std::array<unsigned int, 2>
+  CellLocator<2>::lattice_place(const unsigned int,
+                                const std::array<unsigned int, 2> &) const;
+  template std::array<unsigned int, 3>
+  CellLocator<3>::lattice_place(const unsigned int,
+                                const std::array<unsigned int, 3> &) const;
+  template unsigned int
+  CellLocator<2>::across_seam(const unsigned int, const unsigned int) const;
+  template unsigned int
+  CellLocator<3>::across_seam(const unsigned int, const unsigned int) const;
+  template std::vector<unsigned int>
+  CellLocator<2>::joined_vertices() const;
+  template std::vector<unsigned int>
+  CellLocator<3>::joined_vertices() const;
+} // namespace seiche
