@@ -176,6 +176,9 @@ namespace seiche
       result.text = version_text();
     else if (example->count() > 0)
       result.text = example_text(example_name);
+    if (result.self_test && !result.filename.empty())
+      refuse("--self-test has scenes of its own: leave out \"" +
+             result.filename + "\".");
     if (!result.text.empty() || result.print_parameters || result.self_test)
       return result;
     if (result.filename.empty())

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <stdlib.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <sstream>

@@ -143,7 +143,8 @@ def install(folder):
     require(list((folder / "dam/pictures").glob("*.png")), "no picture")
     for script in ("seiche-study", "seiche-pictures"):
         run(programs / script, "--help")
-    lines = run(sys.executable, "-c",
+    # Debian's numpy belongs to Debian's interpreter
+    lines = run("/usr/bin/python3", "-c",
                 'from seiche_output import Run; print(len(Run("dam").statistics))', cwd=folder,
                 env={**os.environ, "PYTHONPATH": str(prefix / "lib/python")})
     require(int(lines) > 5, lines)
