@@ -67,13 +67,14 @@ namespace seiche
 
 
   void
-  CheckpointFolder::require_any() const
+  CheckpointFolder::require_any(const std::string &hint) const
   {
     if (dealii::Utilities::MPI::broadcast(communicator, list()).empty())
       throw InputError(directory +
                        ": there is no checkpoint to restart from; start "
                        "without --restart, or name the folder of the earlier "
-                       "run with --output.");
+                       "run with --output" +
+                       (hint.empty() ? "." : ": " + hint + "."));
   }
 
 

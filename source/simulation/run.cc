@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/declarations.h>
 #include <seiche/parameters/parameter_table.h>
+#include <seiche/simulation/earlier_results.h>
 #include <seiche/simulation/run.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene.h>
@@ -78,11 +79,13 @@ namespace seiche
                 << plan.cost_text() << picture << std::flush;
     }
 
-    /// Make the folder of the results, if need be, and lock it. Collective.
+    /// Make the folder of the results, if need be, and lock it; what a run
+    /// that was killed has moved comes back. Collective.
     void
-    take_folder(const std::string &directory,
-                DirectoryLock     &lock,
-                const MPI_Comm     communicator)
+    take_folder(const std::string    &directory,
+                DirectoryLock        &lock,
+                const EarlierResults &earlier,
+                const MPI_Comm        communicator)
     {
       try
         {
@@ -93,7 +96,36 @@ namespace seiche
         {
           throw InputError(error.what()); // the user named a wrong place
         }
-      on_first_rank(communicator, [&]() { lock.acquire(directory); });
+      on_first_rank(communicator, [&]() {
+        lock.acquire(directory);
+        earlier.settle();
+      });
+    }
+
+    bool
+    folder_exists(const std::string &directory, const MPI_Comm communicator)
+    {
+      bool exists = false;
+      on_first_rank(communicator, [&]() {
+        exists = std::filesystem::is_directory(directory);
+      });
+      return dealii::Utilities::MPI::broadcast(communicator, exists);
+    }
+
+    /// Room for a new run, and what is known about the old one, for the user.
+    /// Collective.
+    void
+    clear_folder(const EarlierResults   &earlier,
+                 const CheckpointFolder &folder,
+                 RunReport              &report,
+                 const MPI_Comm          communicator)
+    {
+      on_first_rank(communicator, [&]() {
+        if (earlier.move_aside())
+          report.header("the results of an earlier run are now in " +
+                        earlier.place());
+        folder.clear();
+      });
     }
 
     /// Simulate, each time anew after a checkpoint of every n steps, until the
@@ -116,11 +148,14 @@ namespace seiche
                               fixed_parameters(current_values(prm)),
                               communicator);
 
+      const EarlierResults earlier(directory);
+
       std::unique_ptr<Checkpoint> start;
       if (restarts)
         {
-          folder.require_any();
-          take_folder(directory, lock, communicator);
+          if (folder_exists(directory, communicator))
+            take_folder(directory, lock, earlier, communicator);
+          folder.require_any(earlier.hint());
           start = folder.newest_usable(report);
         }
       std::unique_ptr<Simulation<dim>> simulation;
@@ -132,9 +167,9 @@ namespace seiche
       set_up();
 
       // all input is checked once the simulation is set up; only then may
-      // files of an earlier run be replaced
+      // files of an earlier run be moved
       if (!restarts)
-        take_folder(directory, lock, communicator);
+        take_folder(directory, lock, earlier, communicator);
       report.header(simulation->description());
       if (!restarts)
         {
@@ -147,9 +182,9 @@ namespace seiche
         report.warn(text, "");
       if (restarts)
         report.header("going on from " + start->filename);
+      else
+        clear_folder(earlier, folder, report, communicator);
       on_first_rank(communicator, [&]() {
-        if (!restarts)
-          folder.clear();
         write_parameters(prm, directory);
         write_references(scene.input, directory);
         report.open_files(restarts);
@@ -162,7 +197,7 @@ namespace seiche
                                       last_moment,
                                       communicator);
           RunOutcome         outcome;
-          while ((outcome = simulation->run(schedule, folder)) ==
+          while ((outcome = simulation->run(schedule, folder, earlier)) ==
                  RunOutcome::restart)
             {
               simulation.reset();
@@ -180,6 +215,8 @@ namespace seiche
         }
       catch (const std::exception &error)
         {
+          if (const std::string hint = earlier.hint(); !hint.empty())
+            report.header(hint);
           report.fail(error.what());
           throw;
         }

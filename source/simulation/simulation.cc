@@ -3,6 +3,7 @@
 #include <seiche/simulation/step_advice.h>
 #include <seiche/solve/displacement_error.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/first_rank.h>
 
 #include <fmt/format.h>
 
@@ -62,12 +63,18 @@ namespace seiche
 
   template <int dim>
   RunOutcome
-  Simulation<dim>::run(CheckpointSchedule &schedule, CheckpointFolder &folder)
+  Simulation<dim>::run(CheckpointSchedule   &schedule,
+                       CheckpointFolder     &folder,
+                       const EarlierResults &earlier)
   {
     begin();
+    bool is_first_step = true;
     while (!time_stepper.finished())
       {
         const bool done = advance([&]() { return schedule.stop_is_wanted(); });
+        if (done && is_first_step)
+          on_first_rank(communicator, [&]() { earlier.remove_older(); });
+        is_first_step = is_first_step && !done;
         const CheckpointRequest request =
           done ? schedule.after_step(time_stepper.steps()) :
                  CheckpointRequest::write_and_stop;

@@ -23,9 +23,10 @@ namespace seiche
                      const ParameterValues &parameters,
                      const MPI_Comm         communicator);
 
-    /// InputError if the folder has no checkpoint at all. Collective.
+    /// InputError if the folder has no checkpoint at all; @p hint: where there
+    /// may be one. Collective.
     void
-    require_any() const;
+    require_any(const std::string &hint) const;
 
     /// The newest checkpoint of this scene that is sound. Newer ones that are
     /// not are warned of; FileError with what is wrong with each if none is.

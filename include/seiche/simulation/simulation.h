@@ -8,6 +8,7 @@
 #include <seiche/simulation/accepted_failures.h>
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
+#include <seiche/simulation/earlier_results.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene_scales.h>
 #include <seiche/simulation/step_solver.h>
@@ -62,9 +63,12 @@ namespace seiche
     scene_scales() const;
 
     /// From the start to the end time, then the summary; or to a checkpoint
-    /// after which this object is not to go on. Collective.
+    /// after which this object is not to go on. The first good step makes the
+    /// last but one results of the folder superfluous. Collective.
     RunOutcome
-    run(CheckpointSchedule &schedule, CheckpointFolder &folder);
+    run(CheckpointSchedule   &schedule,
+        CheckpointFolder     &folder,
+        const EarlierResults &earlier);
 
     // run() in parts, for programs of their own (stepped_run.h)
 
