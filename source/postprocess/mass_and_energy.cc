@@ -333,8 +333,8 @@ namespace seiche
       number_or_null(moves ? energy_rise / start.energy() : undefined);
     // since the start: made by splitting, gone by merging (PointControl)
     const auto count = [&statistics](const std::string &name) {
-      return statistics.has(name) && !statistics.column(name).empty() ?
-               static_cast<std::int64_t>(statistics.column(name).back()) :
+      return statistics.has(name) ?
+               static_cast<std::int64_t>(statistics.last(name)) :
                0;
     };
     ledger["lost_points"] =

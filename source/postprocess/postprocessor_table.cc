@@ -278,6 +278,14 @@ namespace seiche
 
   template <int dim>
   void
+  PostprocessorList<dim>::request_columns(StatisticsTable &statistics) const
+  {
+    for (const Score &score : implementation->scores)
+      score.request(statistics);
+  }
+
+  template <int dim>
+  void
   PostprocessorList<dim>::execute(const StepView<dim> &view,
                                   StatisticsTable     &statistics)
   {

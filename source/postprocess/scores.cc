@@ -14,8 +14,9 @@ namespace seiche
 {
   namespace
   {
-    constexpr double negligible = 0.01; // of a window that a table leaves out
-  }                                     // namespace
+    constexpr double  negligible  = 0.01; // of a window that a table leaves out
+    const std::string step_column = "dt [s]";
+  } // namespace
 
   using namespace dealii;
 
@@ -130,6 +131,14 @@ namespace seiche
                                              TimeTable::Interpolation::linear);
   }
 
+  void
+  Score::request(StatisticsTable &statistics) const
+  {
+    for (const std::string &column :
+         {parameters.column, parameters.time_column + " [s]", step_column})
+      statistics.keep(column);
+  }
+
   std::vector<Score::Row>
   Score::sample(const std::vector<Row> &all, std::string &warning) const
   {
@@ -166,7 +175,7 @@ namespace seiche
     const bool  at_pressure_time = parameters.time_column == "pressure_time";
     const auto &values           = statistics.column(parameters.column);
     const auto &time = statistics.column(parameters.time_column + " [s]");
-    const auto &dt   = statistics.column("dt [s]");
+    const auto &dt   = statistics.column(step_column);
 
     std::vector<Row> all;
     for (std::size_t i = (at_pressure_time ? 1 : 0); i < values.size(); ++i)

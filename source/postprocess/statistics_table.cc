@@ -33,36 +33,43 @@ namespace seiche
   {}
 
   void
+  StatisticsTable::keep(const std::string &name)
+  {
+    kept[name];
+  }
+
+  void
+  StatisticsTable::put(const std::size_t column_index, const double value)
+  {
+    row[column_index] = value;
+    const auto column = kept.find(column_names[column_index]);
+    if (column != kept.end())
+      column->second.push_back(value);
+    ++n_set;
+  }
+
+  void
   StatisticsTable::set(const std::string &name, const double value)
   {
-    const auto  found = index.find(name);
-    std::size_t column_index;
-    if (found == index.end())
+    const auto [place, is_new] = index.emplace(name, column_names.size());
+    if (is_new)
       {
         AssertThrow(rows == 0,
                     dealii::ExcMessage("Column \"" + name +
                                        "\" appears after the first row."));
-        column_index = column_names.size();
-        index.emplace(name, column_index);
         column_names.push_back(name);
-        columns.emplace_back();
+        row.emplace_back();
       }
-    else
-      column_index = found->second;
-    Assert(columns[column_index].size() == rows,
-           dealii::ExcMessage("Column \"" + name +
-                              "\" is set twice in a row."));
-    columns[column_index].push_back(value);
+    put(place->second, value);
   }
 
   void
   StatisticsTable::end_row()
   {
     ++rows;
-    for (std::size_t c = 0; c < columns.size(); ++c)
-      AssertThrow(columns[c].size() == rows,
-                  dealii::ExcMessage("Column \"" + column_names[c] +
-                                     "\" is not set in this row."));
+    AssertThrow(n_set == row.size(),
+                dealii::ExcMessage("A column is not set once in this row."));
+    n_set = 0;
     if (filename.empty() || !writes)
       return;
 
@@ -73,13 +80,12 @@ namespace seiche
       }
     fmt::memory_buffer line;
     const auto         end = std::back_inserter(line);
-    for (std::size_t c = 0; c < columns.size(); ++c)
+    for (std::size_t c = 0; c < row.size(); ++c)
       {
-        const double value = columns[c].back();
         if (c > 0)
           fmt::format_to(end, ",");
-        if (std::isfinite(value)) // a missing value is an empty field
-          fmt::format_to(end, "{}", value);
+        if (std::isfinite(row[c])) // a missing value is an empty field
+          fmt::format_to(end, "{}", row[c]);
       }
     fmt::format_to(end, "\n");
     file.append(fmt::to_string(line));
@@ -108,13 +114,12 @@ namespace seiche
     index.clear();
     for (std::size_t c = 0; c < column_names.size(); ++c)
       index.emplace(column_names[c], c);
-    columns.assign(column_names.size(), {});
+    const double missing = std::numeric_limits<double>::quiet_NaN();
+    row.assign(column_names.size(), missing);
+    for (auto &column : kept)
+      column.second.assign(filename.empty() ? rows : 0, missing);
     if (filename.empty())
-      {
-        for (auto &column : columns)
-          column.assign(rows, std::numeric_limits<double>::quiet_NaN());
-        return;
-      }
+      return;
     parse(checked_file::read(filename, length));
     if (writes)
       file.continue_at(filename, length);
@@ -127,16 +132,17 @@ namespace seiche
     bool              valid  = text.compare(0, header.size(), header) == 0;
     const char       *next   = text.data() + header.size();
     const char *const end    = text.data() + text.size();
-    for (std::size_t row = 0; row < rows && valid; ++row)
-      for (std::size_t c = 0; c < columns.size() && valid; ++c)
+    for (std::size_t r = 0; r < rows && valid; ++r)
+      for (std::size_t c = 0; c < row.size() && valid; ++c)
         {
           double     value     = std::numeric_limits<double>::quiet_NaN();
           const auto field     = std::from_chars(next, end, value);
-          const char separator = (c + 1 < columns.size() ? ',' : '\n');
+          const char separator = (c + 1 < row.size() ? ',' : '\n');
           valid                = field.ptr < end && *field.ptr == separator;
           next                 = field.ptr + 1;
-          columns[c].push_back(value);
+          put(c, value);
         }
+    n_set = 0;
     if (!valid || next != end)
       throw FileError(filename +
                       ": does not hold the rows that the checkpoint goes on "
@@ -146,8 +152,16 @@ namespace seiche
   const std::vector<double> &
   StatisticsTable::column(const std::string &name) const
   {
+    Assert(kept.count(name) > 0,
+           dealii::ExcMessage("Column " + name + " is not kept"));
+    return kept.at(name);
+  }
+
+  double
+  StatisticsTable::last(const std::string &name) const
+  {
     Assert(has(name), dealii::ExcMessage("There is no column " + name));
-    return columns[index.at(name)];
+    return row[index.at(name)];
   }
 
   bool

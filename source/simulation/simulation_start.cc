@@ -14,6 +14,7 @@ namespace seiche
   Simulation<dim>::begin()
   {
     scene.postprocessors.make(directory, grid, communicator, tank_motion.any());
+    scene.postprocessors.request_columns(statistics);
     const FormulationParameters &form = scene.formulation;
     if (form.is_mixed() && !form.stabilization.has_inertia() &&
         !form.lumps_inertia())

@@ -53,12 +53,14 @@ namespace
         parameters.add_parameters(prm);
         prm.leave_subsection();
         input.parse_into(prm);
-        seiche::StatisticsTable statistics("");
+        seiche::StatisticsTable statistics(""), names("");
+        fill(names);
+        parameters.check(input, names.names());
+        const seiche::Score score(parameters, input);
+        score.request(statistics);
         fill(statistics);
-        parameters.check(input, statistics.names());
         std::string warning;
-        const auto  value =
-          seiche::Score(parameters, input).evaluate(statistics, warning);
+        const auto  value = score.evaluate(statistics, warning);
         std::cout << title << ": ";
         if (value)
           std::cout << std::setprecision(10)

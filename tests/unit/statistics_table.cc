@@ -14,6 +14,7 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
 
   seiche::StatisticsTable table("statistics.csv");
+  table.keep("step");
   for (unsigned int step = 0; step < 3; ++step)
     {
       table.set("step", step);
@@ -25,8 +26,8 @@ main(int argc, char **argv)
 
   std::ifstream file("statistics.csv");
   std::cout << file.rdbuf() << "columns " << table.names().size() << " rows "
-            << table.column("step").size() << " last "
-            << table.column("time [s]").back() << std::endl;
+            << table.column("step").size() << " last " << table.last("time [s]")
+            << std::endl;
 
   try
     {

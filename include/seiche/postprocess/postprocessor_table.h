@@ -62,6 +62,10 @@ namespace seiche
          const MPI_Comm             communicator,
          const bool                 tank_moves = false);
 
+    /// Ask for the columns that scores need at the end. After make().
+    void
+    request_columns(StatisticsTable &statistics) const;
+
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics);
 

@@ -69,6 +69,10 @@ namespace seiche
     /// Reads the table; InputError with place.
     Score(const ScoreParameters &score_parameters, const InputFile &input);
 
+    /// Ask for the columns that evaluate() reads. Local.
+    void
+    request(StatisticsTable &statistics) const;
+
     /// The score, or nothing: @p warning then says why. Local.
     std::optional<double>
     evaluate(const StatisticsTable &statistics, std::string &warning) const;

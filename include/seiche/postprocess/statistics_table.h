@@ -16,9 +16,9 @@ namespace seiche
   /**
    * @brief statistics.csv: one row a step, columns in order of first use.
    *
-   * Values are kept for scores at the end of the run (8 bytes a value). The
-   * columns are fixed by the first row. Rank 0 writes; all ranks hold the
-   * values.
+   * Memory does not grow with the run, but for columns that scores ask for
+   * (keep(), 8 bytes a row). The columns are fixed by the first row. Rank 0
+   * writes; all ranks hold the values.
    */
   class StatisticsTable
   {
@@ -27,6 +27,11 @@ namespace seiche
     /// write only read the file, in save_or_load().
     explicit StatisticsTable(const std::string &filename,
                              const bool         writes = true);
+
+    /// From the first row on, column() has all values of this column. Before
+    /// the first row, and before loading.
+    void
+    keep(const std::string &name);
 
     /// Value of this row; @p name with its unit in brackets: "front [m]". A
     /// value that is not finite is missing: an empty field, left out by scores.
@@ -37,9 +42,13 @@ namespace seiche
     void
     end_row();
 
-    /// All values of a column; Assert if there is none.
+    /// All values of a column that is kept; Assert if it is not.
     const std::vector<double> &
     column(const std::string &name) const;
+
+    /// Value in the last row; Assert if there is no such column.
+    double
+    last(const std::string &name) const;
 
     bool
     has(const std::string &name) const;
@@ -60,17 +69,22 @@ namespace seiche
   private:
     std::string
     header_line() const;
-    /// Fill the columns from the text of the file.
+    /// Fill the kept columns and the last row from the text of the file.
     void
     parse(const std::string &text);
 
-    std::string                        filename;
-    bool                               writes;
-    GrowingFile                        file;
-    std::vector<std::string>           column_names;
-    std::vector<std::vector<double>>   columns;
-    std::map<std::string, std::size_t> index;
-    std::size_t                        rows = 0;
+    /// Take a value of row rows + 1.
+    void
+    put(const std::size_t column_index, const double value);
+
+    std::string                                filename;
+    bool                                       writes;
+    GrowingFile                                file;
+    std::vector<std::string>                   column_names;
+    std::vector<double>                        row;
+    std::map<std::string, std::size_t>         index;
+    std::map<std::string, std::vector<double>> kept;
+    std::size_t                                rows = 0, n_set = 0;
   };
 } // namespace seiche
 
