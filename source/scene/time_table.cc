@@ -10,6 +10,7 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
 
+#include <boost/crc.hpp>
 #include <boost/math/interpolators/makima.hpp>
 
 #include <fmt/format.h>
@@ -219,6 +220,15 @@ namespace seiche
                        times.size(),
                        least));
     spline = make_spline(times, values, interpolation);
+  }
+
+  std::uint32_t
+  TimeTable::checksum() const
+  {
+    boost::crc_32_type crc;
+    for (const auto &column : {times, values})
+      crc.process_bytes(column.data(), column.size() * sizeof(double));
+    return crc.checksum();
   }
 
   bool

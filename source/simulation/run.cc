@@ -79,6 +79,20 @@ namespace seiche
                 << plan.cost_text() << picture << std::flush;
     }
 
+    /// Entries and rows of tables that a checkpoint must have, too.
+    template <int dim>
+    ParameterValues
+    what_must_agree(const Scene<dim>               &scene,
+                    const dealii::ParameterHandler &prm)
+    {
+      ParameterValues values = fixed_parameters(current_values(prm));
+      for (const TableParameters &table : scene.tables)
+        values[std::string(TableParameters::kind) + " " + table.name +
+               ", checksum of its rows"] =
+          fmt::format("{:08x}", table.read(scene.input).checksum());
+      return values;
+    }
+
     /// Make the folder of the results, if need be, and lock it; what a run
     /// that was killed has moved comes back. Collective.
     void
@@ -145,7 +159,7 @@ namespace seiche
       RunReport        report({directory, scene.time.end_time, scene.test_log},
                        communicator);
       CheckpointFolder folder(directory,
-                              fixed_parameters(current_values(prm)),
+                              what_must_agree(scene, prm),
                               communicator);
 
       const EarlierResults earlier(directory);

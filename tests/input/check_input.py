@@ -477,6 +477,84 @@ GEOMETRY = [
 ]
 
 
+SIGNAL = "t,a\n0,0\n0.01,0.001\n0.02,0.002\n0.03,0.003\n"
+TABLE = "subsection Table s\n  set File = s.csv\nend\n"
+CALLED = TABLE + "subsection Walls\n  set Left displacement = s(t)\nend\n"
+
+
+def with_table(name, rows=SIGNAL, text=CALLED, line=LAST + 2, **options):
+    """A scene with a table that moves a wall."""
+    return Case(f"table: {name}", text=SCENE + text, line=line,
+                others={"s.csv": rows}, **options)
+
+
+# A "Table NAME" is read with its scene, and must cover the run.
+TABLES = [
+    with_table("covers the run", code=0, line=None, silent=True),
+    with_table("missing file", text=CALLED.replace("s.csv", "none.csv"),
+               expect=['"File" in "Table s" = none.csv', "no such file"]),
+    with_table("empty", rows="", expect=["s.csv", "empty"]),
+    with_table("no header", rows=SIGNAL[4:], expect=["s.csv:1:", "header"]),
+    with_table("column that there is not",
+               text=CALLED.replace("s.csv", "s.csv\n  set Columns = 0, 2"),
+               expect=["s.csv:2:", "2 columns", '"Columns"']),
+    with_table("column of what it holds by name",
+               text=CALLED.replace("s.csv", "s.csv\n  set Columns = t, a"),
+               line=LAST + 3, expect=['"Columns" in "Table s"']),
+    with_table("one factor",
+               text=CALLED.replace("s.csv", "s.csv\n  set Factors = 0.001"),
+               line=LAST + 3, expect=['"Factors" in "Table s"', "two"]),
+    with_table("times that go back", rows=SIGNAL.replace("0.02,", "0.01,"),
+               expect=["s.csv:4:", "increase"]),
+    with_table("not a number", rows=SIGNAL.replace("0.002", "nan"),
+               expect=["s.csv:4:", '"nan" in column 1']),
+    with_table("a gap", rows=SIGNAL.replace("0.002", ""),
+               expect=["s.csv:4:", "column 1"]),
+    with_table("a number that is too large",
+               text=CALLED.replace("s.csv", "s.csv\n  set Factors = 1, 1e300"),
+               rows=SIGNAL.replace("0.002", "1e30"),
+               expect=["s.csv:4:", "too large"]),
+    with_table("two rows", rows="t,a\n0,0\n1,0.001\n", expect=["at least 3"]),
+    with_table("ends before the run", rows=SIGNAL[:-21], line=LAST + 5,
+               expect=['"Left displacement" in "Walls" = s(t)', "table s",
+                       "asked for", "End time"]),
+    with_table("begins after the run", rows=SIGNAL.replace("\n0,0", ""),
+               line=LAST + 5, expect=['"Left displacement"', "0.01 s"]),
+    with_table("ends before a body force",
+               text=TABLE, rows=SIGNAL[:-21], line=8,
+               arguments=["scene.prm", "--set",
+                          "Body force/Acceleration = s(t); -9.81"],
+               expect=["table s"]),
+    with_table("corners in a wall's motion", line=LAST + 6,
+               text=CALLED.replace("s.csv",
+                                   "s.csv\n  set Interpolation = linear"),
+               expect=['"Left displacement"', "cubic spline"]),
+    with_table("not called", text=TABLE, code=0,
+               expect=['"File" in "Table s" = s.csv has no effect', "s(t)"]),
+    with_table("name of a function",
+               text=CALLED.replace("Table s", "Table sin"),
+               expect=['"File" in "Table sin"', "know already"]),
+    with_table("name of two words",
+               text=CALLED.replace("Table s", "Table s 1"),
+               expect=['"File" in "Table s 1"', "one word"]),
+    with_table("without a file", text=TABLE.replace("  set File = s.csv\n", ""),
+               line=LAST + 1, expect=['"File" in "Table s"', "mandatory"]),
+    with_table("misspelt call", text=TABLE, line=None,
+               arguments=["scene.prm", "--set", "Walls/Left displacement = r(t)"],
+               expect=['"Left displacement"', '"r"']),
+] + [
+    Case(f"tank motion {entry} = {text}",
+         arguments=["scene.prm", "--set", f"Tank motion/{entry} = {text}"],
+         line=None, expect=[f'"{entry}" in "Tank motion"', *expect])
+    for entry, text, expect in [
+        ("Rotation", "t; 0", ["1 needed"]), ("Rotation", "x", ["t alone"]),
+        ("Rotation", "t>0.01 ? 1 : 0", ["jumps"]), ("Rotation", "w(t)", ["w"]),
+        ("Displacement", "t", ["2 needed"]),
+        ("Displacement", "1/(t-0.01); 0", ["not finite"]),
+        ("Centre", "0", ["2 needed"])]
+]
+
+
 def gravity(expression):
     return f"Acceleration = {expression}"
 
@@ -633,6 +711,7 @@ WITHOUT_EFFECT = [
             reader="displacement-pressure", also=IRREDUCIBLE),
     in_vain("Free surface/Ghost velocity time", value="0.1",
             reader="Ghost velocity", also=["Free surface/Ghost velocity = 0"]),
+    in_vain("Tank motion/Centre", value="0.5, 0", reader="Tank motion/Rotation"),
     in_vain("Fluid/Volume law", value="logarithmic", reader="finite"),
     in_vain("Fluid body column/Radius", value="0.1", reader="Shape = ball"),
     in_vain("Fluid body column/Centre", value="0.1, 0.1",
@@ -655,7 +734,7 @@ WITHOUT_EFFECT = [
 ]
 
 GROUPS = {"syntax": SYNTAX, "names": NAMES, "values": VALUES,
-          "geometry": GEOMETRY, "expressions": EXPRESSIONS,
+          "geometry": GEOMETRY, "tables": TABLES, "expressions": EXPRESSIONS,
           "command_line": COMMAND_LINE, "without_effect": WITHOUT_EFFECT,
           "output": OUTPUT}
 

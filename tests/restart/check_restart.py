@@ -24,6 +24,7 @@ SCENE_2D = str(HERE / "dam_break_2d.prm")
 SCENE_QUADRATIC = str(HERE / "dam_break_2d_quadratic.prm")
 SCENE_3D = str(HERE / "column_3d.prm")
 SCENE_PISTON = str(HERE / "piston_2d.prm")
+SCENE_TANK = str(HERE / "tank_2d.prm")
 SCENE_ADAPTIVE = str(HERE / "adaptive_2d.prm")
 SCENE_CROWDED = str(HERE.parent / "robustness/alarms/crowded.prm")
 SCENE_BOX = str(HERE / "box_3d.prm")
@@ -92,6 +93,20 @@ def exact_quadratic(make, folder, ranks):
 def exact_piston(make, folder, ranks):
     exact(make(SCENE_PISTON, ranks), folder, ["statistics.csv"],
           ["0.15", "0.25"])
+
+
+def exact_tank(make, folder, ranks):
+    """Moved by a table; with another row in it the scene is another one."""
+    scene, table = f"{folder}/scene.prm", pathlib.Path(folder) / "roll.csv"
+    table.write_text((HERE.parent / "scene/roll.csv").read_text())
+    pathlib.Path(scene).write_text(
+        f"include {SCENE_TANK}\nsubsection Table roll\n"
+        "  set File = roll.csv\nend\n")
+    program = make(scene, ranks)
+    exact(program, folder, ["statistics.csv"], ["0.13", "0.29"])
+    table.write_text(table.read_text() + "0.7,1\n")
+    text = program.run(f"{folder}/parts", "--restart", code=4)
+    assert "Table roll, checksum of its rows" in text, text
 
 
 def exact_3d(make, folder, ranks):
@@ -332,6 +347,7 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_quadratic": (exact_quadratic, 1),
          "exact_quadratic_2_ranks": (exact_quadratic, 2),
          "exact_piston": (exact_piston, 1),
+         "exact_tank": (exact_tank, 1), "exact_tank_2_ranks": (exact_tank, 2),
          "exact_3d": (exact_3d, 1), "exact_3d_2_ranks": (exact_3d, 2),
          "exact_ml_2_ranks": (exact_ml, 2),
          "exact_error_control_2_ranks": (exact_error_control, 2),
