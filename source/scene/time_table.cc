@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/parameters/input_file.h>
+#include <seiche/parameters/file_beside.h>
 #include <seiche/scene/entry_values.h>
 #include <seiche/scene/expression.h>
 #include <seiche/scene/time_table.h>
@@ -10,7 +10,6 @@
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
 
-#include <boost/crc.hpp>
 #include <boost/math/interpolators/makima.hpp>
 
 #include <fmt/format.h>
@@ -149,9 +148,7 @@ namespace seiche
   {
     const auto        columns  = column_numbers(input, entries);
     const auto        factors  = factors_to_si(input, entries);
-    const std::string filename = entries.file[0] == '/' ?
-                                   entries.file :
-                                   input.directory() + "/" + entries.file;
+    const std::string filename = file_beside(input, entries.file);
     const auto        fail     = [&](const std::string &problem) {
       input.fail(entries.file_path, problem);
     };
@@ -220,15 +217,6 @@ namespace seiche
                        times.size(),
                        least));
     spline = make_spline(times, values, interpolation);
-  }
-
-  std::uint32_t
-  TimeTable::checksum() const
-  {
-    boost::crc_32_type crc;
-    for (const auto &column : {times, values})
-      crc.process_bytes(column.data(), column.size() * sizeof(double));
-    return crc.checksum();
   }
 
   bool

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/declarations.h>
+#include <seiche/parameters/file_beside.h>
 #include <seiche/parameters/parameter_table.h>
 #include <seiche/simulation/earlier_results.h>
 #include <seiche/simulation/run.h>
@@ -18,6 +19,8 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
+
+#include <boost/crc.hpp>
 
 #include <fmt/format.h>
 
@@ -79,7 +82,7 @@ namespace seiche
                 << plan.cost_text() << picture << std::flush;
     }
 
-    /// Entries and rows of tables that a checkpoint must have, too.
+    /// Entries and files of tables that a checkpoint must have, too.
     template <int dim>
     ParameterValues
     what_must_agree(const Scene<dim>               &scene,
@@ -87,9 +90,14 @@ namespace seiche
     {
       ParameterValues values = fixed_parameters(current_values(prm));
       for (const TableParameters &table : scene.tables)
-        values[std::string(TableParameters::kind) + " " + table.name +
-               ", checksum of its rows"] =
-          fmt::format("{:08x}", table.read(scene.input).checksum());
+        {
+          const std::string text =
+            checked_file::read(file_beside(scene.input, table.file));
+          boost::crc_32_type checksum;
+          checksum.process_bytes(text.data(), text.size());
+          values["Table " + table.name + ", checksum of its file"] =
+            fmt::format("{:08x}", checksum.checksum());
+        }
       return values;
     }
 

@@ -2,7 +2,6 @@
 #ifndef seiche_scene_time_table_h
 #define seiche_scene_time_table_h
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -48,10 +47,6 @@ namespace seiche
     TimeTable(const InputFile    &input,
               const Entries      &entries,
               const Interpolation interpolation);
-
-    /// Of the rows as they are used (CRC-32).
-    std::uint32_t
-    checksum() const;
 
     /// True if @p time lies between the first and the last row.
     bool
