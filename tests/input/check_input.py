@@ -478,6 +478,7 @@ GEOMETRY = [
 
 
 SIGNAL = "t,a\n0,0\n0.01,0.001\n0.02,0.002\n0.03,0.003\n"
+SHORT = "t,a\n0,0\n0.005,0.0005\n0.01,0.001\n"
 TABLE = "subsection Table s\n  set File = s.csv\nend\n"
 CALLED = TABLE + "subsection Walls\n  set Left displacement = s(t)\nend\n"
 
@@ -515,13 +516,13 @@ TABLES = [
                rows=SIGNAL.replace("0.002", "1e30"),
                expect=["s.csv:4:", "too large"]),
     with_table("two rows", rows="t,a\n0,0\n1,0.001\n", expect=["at least 3"]),
-    with_table("ends before the run", rows=SIGNAL[:-21], line=LAST + 5,
+    with_table("ends before the run", rows=SHORT, line=LAST + 5,
                expect=['"Left displacement" in "Walls" = s(t)', "table s",
                        "asked for", "End time"]),
     with_table("begins after the run", rows=SIGNAL.replace("\n0,0", ""),
                line=LAST + 5, expect=['"Left displacement"', "0.01 s"]),
     with_table("ends before a body force",
-               text=TABLE, rows=SIGNAL[:-21], line=8,
+               text=TABLE, rows=SHORT, line=None,
                arguments=["scene.prm", "--set",
                           "Body force/Acceleration = s(t); -9.81"],
                expect=["table s"]),
