@@ -22,9 +22,10 @@ namespace seiche
     }
 
     /**
-     * Newmark (beta, gamma) with Bossak's weighted inertia (doc/theory.md):
-     * a = c_a u + a^, v = c_v u + v^, inertia (1 - alpha) a + alpha a_n.
-     * alpha = 0, beta = 1/4, gamma = 1/2: the scheme of the founding paper.
+     * Newmark (beta, gamma) with Bossak's weighted inertia (doc/theory.md
+     * (3.1)): a = c_a u + a^, v = c_v u + v^, inertia (1 - alpha) a + alpha
+     * a_n. alpha = 0, beta = 1/4, gamma = 1/2: the scheme of the founding
+     * paper.
      */
     template <int dim>
     class Bossak : public TimeScheme<dim>
@@ -118,7 +119,7 @@ namespace seiche
     };
 
     /**
-     * Generalized midpoint with theta = 1/(1 + rho_inf) (doc/theory.md):
+     * Generalized midpoint with theta = 1/(1 + rho_inf) (doc/theory.md (3.1)):
      * a = (v_1 - v_0)/dt, u = dt (theta v_1 + (1 - theta) v_0), forces in the
      * theta configuration, constraint at the end of the step, the strain of a
      * compressible fluid there or in the theta configuration.

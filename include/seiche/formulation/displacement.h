@@ -9,7 +9,7 @@ namespace seiche
   /**
    * @brief The irreducible form: displacement alone, p = -kappa (J - 1).
    *
-   * doc/theory.md, "Irreducible form"; founding paper, section 4.2, with the
+   * doc/theory.md (4.1); founding paper, section 4.2, with the
    * sign of the pressure put right.
    */
   template <int dim>

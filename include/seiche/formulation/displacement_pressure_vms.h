@@ -9,7 +9,7 @@ namespace seiche
   /**
    * @brief The mixed form with equal-order pressure and algebraic subscales.
    *
-   * doc/theory.md, "Mixed form" (Codina 2000-2008; Badia and Codina 2009). The
+   * doc/theory.md (4.2) to (4.4) (Codina 2000-2008; Badia and Codina 2009). The
    * pressure equation is multiplied by -1 against the paper's, so that its
    * diagonal block is positive. FE_Q(1) leaves second derivatives of the
    * velocity out: for mu c_r << rho C_a h^2 they do not change the order.

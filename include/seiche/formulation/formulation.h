@@ -74,7 +74,8 @@ namespace seiche
    * @brief A weak form: residual and tangent of one cell.
    *
    * One virtual call a cell, for each element degree; the loops over
-   * quadrature points and nodes are inside. Equations: doc/theory.md.
+   * quadrature points and nodes are inside. Equations: doc/theory.md,
+   * section 4.
    */
   template <int dim>
   class Formulation
@@ -130,7 +131,8 @@ namespace seiche
     }
 
     /// Viscosity [Pa s] of the tangent: none where it is so small beside
-    /// inertia that Newton's iteration does not miss it (doc/theory.md).
+    /// inertia that Newton's iteration does not miss it (doc/theory.md, section
+    /// 10).
     template <int degree>
     double
     tangent_viscosity(const CellData<dim, degree> &cell) const
@@ -145,7 +147,8 @@ namespace seiche
     }
 
     /// [N/m^dim] Pressure gradients and momentum residuals up to here turn
-    /// with u without any need for the tangent to know (doc/theory.md).
+    /// with u without any need for the tangent to know (doc/theory.md, section
+    /// 10).
     template <int degree>
     double
     negligible_force(const CellData<dim, degree> &cell, const Tau &tau) const

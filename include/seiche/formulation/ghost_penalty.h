@@ -37,8 +37,8 @@ namespace seiche
 
   /**
    * @brief Coefficients of the ghost penalty on one face of a cut cell (Burman
-   * 2010; Coombs 2023; doc/theory.md): jumps of normal derivatives of
-   * acceleration, pressure and, at fragments, velocity. All terms share the
+   * 2010; Coombs 2023; doc/theory.md (6.1), (6.2)): jumps of normal derivatives
+   * of acceleration, pressure and, at fragments, velocity. All terms share the
    * face's matrix B (GhostFaceMatrix).
    */
   struct GhostCoefficients

@@ -7,7 +7,7 @@
 namespace seiche
 {
   /**
-   * @brief Inertia of the points' own extent (doc/theory.md, section 6).
+   * @brief Inertia of the points' own extent (doc/theory.md (6.3)).
    *
    * A point stands for a box of fluid. The inertia of the box about its centre
    * is what sum m N_a N_b leaves out: m l_d^2/12 N_a,d N_b,d, the error of one

@@ -11,8 +11,8 @@ namespace seiche
    * several (Number = Lanes).
    *
    * Configuration t: x_n + theta u (forces); configuration 1: x_n + u
-   * (constraint). Notation of doc/theory.md: f_t = I + theta H, H = grad_n u,
-   * grad_t N = f_t^-T grad_n N.
+   * (constraint). Notation of doc/theory.md, section 4: f_t = I + theta H, H =
+   * grad_n u, grad_t N = f_t^-T grad_n N.
    */
   template <int dim, int degree, typename Number = double>
   struct PointKinematics

@@ -137,8 +137,8 @@ namespace seiche
     inverse_transient_tau(const TauArguments &cell) const;
 
     /**
-     * tau1 by the table of doc/theory.md, "Stabilization parameters". tau2 =
-     * c_2 h^2 max(1/tau1, 20 rho C_a dt^2 b/h) min(1, dt/T_c)
+     * tau1 by the table of doc/theory.md, "Stabilization parameters"; (4.5):
+     * tau2 = c_2 h^2 max(1/tau1, 20 rho C_a dt^2 b/h) min(1, dt/T_c)
      * + min(K_num, 2 h^2/tau1). The first part is as many times the viscosity
      * c_2 h^2/(tau1 dt) on div v: without T_c it grows as 1/dt. With the body
      * force b it is that of a step of sqrt(h/(20 b)) at most: with less of it

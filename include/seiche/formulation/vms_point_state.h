@@ -10,7 +10,7 @@
 namespace seiche
 {
   /// Fields and subscales at one quadrature point, or at several (Number =
-  /// Lanes); doc/theory.md, VMS.
+  /// Lanes); doc/theory.md (4.4).
   template <int dim, int degree, typename Number = double>
   struct VMSPointState
   {

@@ -9,7 +9,7 @@ namespace seiche
   /**
    * @brief Moves points until they fill the inside of the fluid evenly: the
    * nodal fill f goes to that of the inside, f_h, with the way that they go
-   * (Kugelstadt, Longva, Thuerey and Bender 2019).
+   * (Kugelstadt, Longva, Thuerey and Bender 2019; doc/theory.md (5.1)).
    *
    * On the nodes S with f_h > 1/2 that no unilateral wall has let go of, and on
    * those with f > 1,

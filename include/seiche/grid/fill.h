@@ -39,7 +39,7 @@ namespace seiche
    * Recomputed every step from the points alone, so that restart and
    * repartitioning change nothing. Thresholds are compared on values rounded
    * to 1e-10, so that round-off cannot flip a class between rank counts or
-   * mirror images. The table of classes stands in doc/theory.md.
+   * mirror images. The table of classes stands in doc/theory.md, section 5.
    */
   template <int dim>
   class Fill

@@ -8,7 +8,8 @@ namespace seiche
 {
   /**
    * @brief B = int_F [dn N_a][dn N_b] [m^(dim-3)] of a ghost face: jumps of
-   * normal derivatives between its two cells (Burman 2010; doc/theory.md).
+   * normal derivatives between its two cells (Burman 2010; doc/theory.md
+   * (6.1)).
    *
    * For FE_Q(2) jumps of the second normal derivative count too, times h^2/4.
    * Row sums are zero: momentum is conserved.

@@ -18,7 +18,7 @@ namespace seiche
    * value is the mean over the vertices of the edge, face or cell in whose
    * middle it lies. This holds for all cells at the node, so that fields stay
    * continuous. The matrix of a cell (NodeMatrix) then is that of its hanging
-   * nodes times that of these means.
+   * nodes times that of these means (doc/theory.md (4.8)).
    */
   template <int dim>
   class LinearCells

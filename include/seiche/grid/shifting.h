@@ -9,12 +9,11 @@ namespace seiche
   /**
    * @brief Moves points from where they crowd to where they are few.
    *
-   * Fickian shifting (Lind, Xu, Stansby and Rogers 2012) with the fill over
-   * that of the surface's inside as the concentration: in the coordinates of
-   * the cell
-   *   delta_d = -C s (df/dxi_d + 0.2 dc/dxi_d),
-   * f the difference of the nodal fills with the functions of FE_Q(1), c that
-   * of the cells' fills with differences to the face neighbours that are linear
+   * Fickian shifting (Lind, Xu, Stansby and Rogers 2012; doc/theory.md (5.3))
+   * with the fill over that of the surface's inside as the concentration: in
+   * the coordinates of the cell delta_d = -C s (df/dxi_d + 0.2 dc/dxi_d), f the
+   * difference of the nodal fills with the functions of FE_Q(1), c that of the
+   * cells' fills with differences to the face neighbours that are linear
    * between opposite faces, s = 1 away from the free surface and 0 on it. The
    * first term is a step of steepest descent for sum_I V_I f_I^2, the error of
    * the points as a quadrature. It does not see full and empty cells that

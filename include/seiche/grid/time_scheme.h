@@ -36,7 +36,7 @@ namespace seiche
     /// the pressure.
     bool elastic = true;
     /// [-] div v_0 = this dt tr(l l) fits the scheme: v_0 and v_1 then have the
-    /// same divergence in their own configurations (doc/theory.md).
+    /// same divergence in their own configurations (doc/theory.md, section 3).
     double start_divergence = 0.;
     /// [s^2] weight of -tr(l l) in the constraint, l the gradient of the rate's
     /// velocity: projection of v_0 and consistent start only.
@@ -45,7 +45,7 @@ namespace seiche
     /// J = J_n (1 + elastic_time (det f - 1)); 1 for infinite kappa.
     double elastic_time = 1.;
     /// [s^3] weight of -(3 tr(l grad a) - 2 tr(l^3)) = -div(D^2 v/Dt^2) in the
-    /// constraint: v_1 then has no divergence (doc/theory.md).
+    /// constraint: v_1 then has no divergence (doc/theory.md (3.3)).
     double jerk_constraint = 0.;
   };
 

@@ -14,14 +14,15 @@ namespace seiche
    * are free to leave them.
    *
    * For the normal component of a node on such a wall, n into the fluid: 0 <=
-   * n.(v_1 - v_wall) _|_ n.R >= 0, R the reaction. A primal-dual active set
-   * (Hueeber and Wohlmuth 2005): after each Newton iteration components with a
-   * tensile reaction are released, those that would penetrate are fixed again;
-   * a component that was released twice in a step and penetrates stays fixed.
-   * The condition is one on velocities (Moreau 1988): on displacements, a fluid
-   * that the step stops at the wall would bounce back from it. The
-   * projection of the start velocity has the same condition with impulses; the
-   * old pressure's counts as part of them, for it will press during the step.
+   * n.(v_1 - v_wall) _|_ n.R >= 0, R the reaction (doc/theory.md (8.3)). A
+   * primal-dual active set (Hueeber and Wohlmuth 2005): after each Newton
+   * iteration components with a tensile reaction are released, those that would
+   * penetrate are fixed again; a component that was released twice in a step
+   * and penetrates stays fixed. The condition is one on velocities (Moreau
+   * 1988): on displacements, a fluid that the step stops at the wall would
+   * bounce back from it. The projection of the start velocity has the same
+   * condition with impulses; the old pressure's counts as part of them, for it
+   * will press during the step.
    *
    * A domain full of an incompressible fluid knows the pressure up to a
    * constant only: there all nodes stay fixed.

@@ -11,7 +11,8 @@ namespace seiche
   /**
    * @brief Drag of boundary layers that the grid does not resolve, on walls
    * along which the fluid slips: c_f/2 rho |v| v per area (entries "Walls/...
-   * friction", "Obstacle NAME/Friction"; Schlichting 1979, chapter 21).
+   * friction", "Obstacle NAME/Friction"; Schlichting 1979, chapter 21;
+   * doc/theory.md (8.1), (8.2)).
    *
    * Split from the step, at its start, and exact there: dv/dt = -k |v| v with
    * k = c_f A/(2 V), A the integral of a node's shape function over the faces

@@ -12,7 +12,7 @@ namespace seiche
 {
   /**
    * @brief Sides of the box that move along their normal, as pistons: their
-   * displacement in time, and the grid that follows them.
+   * displacement in time, and the grid that follows them (doc/theory.md (8.4)).
    *
    * Grid lines between a moving side and the obstacle that is nearest to it in
    * its direction, or the opposite side, are stretched alike; obstacles stay.

@@ -10,7 +10,7 @@ namespace seiche
    * @brief Estimate of the local error of a step's displacements [m], root
    * mean square over the mass: @p error_constant dt^3 |d^2v/dt^2|, with the
    * change of the acceleration since the step before over @p interval [s] as
-   * d^2v/dt^2 (doc/theory.md, section 3).
+   * d^2v/dt^2 (doc/theory.md (3.4)).
    *
    * The state holds both accelerations: acceleration_n from the points,
    * acceleration_np1 of the step. Collective.

@@ -20,7 +20,7 @@ namespace seiche
    * The constraint of the mixed form holds for nodal averages; within a cell
    * det f varies, which is an error of the elements, not a change of density.
    * Points that follow the means keep a volume ratio near one
-   * (doc/theory.md, section 2; compare the F-bar of de Souza Neto et al.
+   * (doc/theory.md (2.4); compare the F-bar of de Souza Neto et al.
    * 1996 and the averaged nodal pressure of Bonet and Burton 1998).
    *
    * @return nodal values [-], ghosts too. Collective.
