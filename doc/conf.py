@@ -44,7 +44,26 @@ def mark_equations(app, doctree):
             block["ids"].append("eq-" + number.replace(".", "-"))
 
 
+# A list item of a page of contents that begins with a link: "- [Start](start.md): ...".
+ENTRY = re.compile(r"^- \[[^]]+\]\(([^)#]+)\.md\)", re.M)
+CONTENTS = ("doc/index", "doc/lessons/index", "doc/journal/index", "doc/scenes")
+
+
+def read_contents(app, docname, source):
+    """Makes the lists of links on the pages of contents the tables of contents, so
+    that these pages read well on a git host."""
+    if docname not in CONTENTS:
+        return
+    for part in re.split(r"^## ", source[0], flags=re.M):
+        entries = ENTRY.findall(part)
+        if entries:
+            caption = ":caption: %s\n" % part.split("\n", 1)[0] if docname == root_doc else ""
+            source[0] += "\n```{toctree}\n:hidden:\n%s\n%s\n```\n" % (
+                caption, "\n".join(entries))
+
+
 def setup(app):
+    app.connect("source-read", read_contents)
     app.connect("doctree-read", mark_equations)
     return {"parallel_read_safe": True}
 
