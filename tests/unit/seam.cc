@@ -52,7 +52,7 @@ namespace
            "set Level = 1\nend\n"
            "subsection Refinement box\n set Criterion = box\n"
            "set Lower corner = " +
-           corner("1.1") + "\n set Upper corner = " + corner("1.3") +
+           corner("1.12") + "\n set Upper corner = " + corner("1.27") +
            "\n set Level = 2\nend\n";
   }
 
@@ -242,12 +242,12 @@ namespace
     double         way  = 0.;
     unsigned int   step = 0;
     Occupancy<dim> occupancy(locator, /*degree=*/1);
-    for (; step < 16; ++step)
+    for (; step < 40; ++step)
       {
         for (std::size_t p = 0; p < points.size(); ++p)
           for (unsigned int d = 0; d + 1 < dim; ++d)
-            points.data(PointColumn::position, d)[p] += 0.1;
-        way += 0.1;
+            points.data(PointColumn::position, d)[p] += 0.04;
+        way += 0.04;
         points.locate();
         if (adaptation.update(step + 1))
           occupancy.reinit();
@@ -256,11 +256,10 @@ namespace
     double error = 0.;
     for (std::size_t p = 0; p < points.size(); ++p)
       {
-        const Point<dim> x    = points.position(p);
-        const double     cell = 0.2 / 4.; // half the distance of the points
+        const Point<dim>       x = points.position(p);
         dealii::Tensor<1, dim> off;
         for (unsigned int d = 0; d < dim; ++d)
-          off[d] = std::remainder(x[d] - 0.55, 2. * cell);
+          off[d] = std::remainder(x[d] - 0.5125, /*spacing*/ 0.025);
         error = std::max(error, off.norm());
         for (unsigned int d = 0; d < dim; ++d)
           error = std::max(error, std::max(0.5 - x[d], x[d] - 1.3));
