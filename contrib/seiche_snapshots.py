@@ -9,7 +9,7 @@ from seiche_stage import make_stage
 NUMBER = {2: 6, 3: 4}  # of times on a page, by the dimension
 FEWEST = 4  # rather than leaving out the end of the run
 WIDTH = 12.0  # [inches]
-PIXELS = 1500
+PIXELS = 1300
 
 
 def equally_spaced(frames, number):

@@ -39,7 +39,7 @@ class View:
         rows = FINER * int(numpy.ceil((high[1] - low[1]) / (self.pixel * FINER)))
         self.shape, self.low = (rows, width * FINER), low
         self.extent = (low[0], high[0], low[1], low[1] + rows * self.pixel)
-        self.background = numpy.ones(self.shape + (3,))
+        self.background = numpy.ones(self.shape + (3,), "f4")
         for direction in range(3):
             inside, outline = self.far_side(direction)
             self.background[inside] = GROUND if direction == 2 else GLASS
@@ -91,7 +91,7 @@ class View:
         """Height of the nearest box at each pixel (-inf: none) and its colour."""
         eye = self.axes[2]
         light = 0.72 + 0.28 * numpy.abs(eye) / numpy.abs(eye).max()
-        height, colour = numpy.full(self.shape, -numpy.inf), numpy.zeros(self.shape + (3,))
+        height, colour = numpy.full(self.shape, -numpy.inf), numpy.zeros(self.shape + (3,), "f4")
         for low, high in boxes:
             window = self.window(self.corners(low, high))
             # where the rays along the eye leave the box and where they enter it
