@@ -262,7 +262,7 @@ namespace seiche
         all.probes,
         grid,
         all.pressure,
-        directory.empty() ? std::string() : directory + "/probes.csv",
+        directory,
         Utilities::MPI::this_mpi_process(communicator) == 0));
     if (!all.tracks.empty())
       all.list.push_back(std::make_unique<TrackedPoints<dim>>(all.tracks));

@@ -93,6 +93,7 @@ namespace seiche
                       "the plane of the nearest wall (2D: a line); 0: a "
                       "point. [m]",
                       Patterns::Double(0.));
+    sensor.add_parameters(prm);
   }
 
   template <int dim>
@@ -110,11 +111,34 @@ namespace seiche
                     section + "/Diameter",
                     "the sensor reaches beyond the wall that it lies in; "
                     "choose a smaller diameter or move it.");
+    sensor.check(input, section);
   }
 
   template <int dim>
   std::vector<std::string>
   ProbeParameters<dim>::columns() const
+  {
+    std::vector<std::string> names = reading_columns();
+    if (sensor.cut_off > 0.)
+      for (const std::string &name : signal_columns())
+        names.push_back(name);
+    return names;
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  ProbeParameters<dim>::signal_columns() const
+  {
+    std::vector<std::string> names = reading_columns();
+    if (sensor.cut_off > 0.)
+      for (std::string &column : names)
+        column.insert(column.rfind(" ["), " filtered");
+    return names;
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  ProbeParameters<dim>::reading_columns() const
   {
     if (quantity == "pressure")
       return {"probe " + name + " pressure [Pa]"};
@@ -167,19 +191,26 @@ namespace seiche
   Probes<dim>::Probes(const std::vector<ProbeParameters<dim>>   &parameters,
                       const BackgroundGrid<dim>                 &grid,
                       const std::shared_ptr<NodalPressure<dim>> &nodal_pressure,
-                      const std::string                         &filename,
+                      const std::string                         &directory,
                       const bool                                 writes)
     : probes(parameters)
     , pressure(nodal_pressure)
-    , table(filename, writes)
+    , table(directory.empty() ? "" : directory + "/probes.csv", writes)
   {
     for (const auto &probe : probes)
-      places.push_back(probe.places(grid.parameters));
+      {
+        places.push_back(probe.places(grid.parameters));
+        signals.emplace_back(probe.reading_columns().size(),
+                             SensorSignal(probe.sensor));
+        const bool has_file = !directory.empty() && probe.sensor.rate > 0.;
+        samples.emplace_back(
+          has_file ? directory + "/probe_" + probe.name + ".csv" : "", writes);
+      }
   }
 
   template <int dim>
-  void
-  Probes<dim>::execute(const StepView<dim> &view, StatisticsTable &statistics)
+  std::vector<double>
+  Probes<dim>::readings(const StepView<dim> &view) const
   {
     const CellLocator<dim> &locator      = view.occupancy.locator;
     const auto             &p            = pressure->field(view);
@@ -187,7 +218,7 @@ namespace seiche
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
 
     // the owner of the cell around the place reads it; others add zero
-    std::vector<double> readings;
+    std::vector<double> result;
     for (unsigned int k = 0; k < probes.size(); ++k)
       {
         const bool          scalar = probes[k].quantity == "pressure";
@@ -208,25 +239,68 @@ namespace seiche
               sum += here.vector_value(view.state.velocity_np1);
           }
         for (unsigned int c = 0; c < (scalar ? 1 : dim); ++c)
-          readings.push_back(sum[c] / places[k].size());
+          result.push_back(sum[c] / places[k].size());
         if (scalar && view.step == 0) // there is none before the first step
-          readings.back() = std::numeric_limits<double>::quiet_NaN();
+          result.back() = std::numeric_limits<double>::quiet_NaN();
       }
-    Utilities::MPI::sum(ArrayView<const double>(readings.data(),
-                                                readings.size()),
+    Utilities::MPI::sum(ArrayView<const double>(result.data(), result.size()),
                         communicator,
-                        ArrayView<double>(readings.data(), readings.size()));
+                        ArrayView<double>(result.data(), result.size()));
+    return result;
+  }
 
+  template <int dim>
+  void
+  Probes<dim>::execute(const StepView<dim> &view, StatisticsTable &statistics)
+  {
+    const std::vector<double> all  = readings(view);
+    auto                      next = all.begin();
     table.set("time [s]", view.time);
     table.set("pressure_time [s]", view.pressure_time);
-    auto reading = readings.begin();
-    for (const auto &probe : probes)
-      for (const std::string &column : probe.columns())
-        {
-          statistics.set(column, *reading);
-          table.set(column, *reading++);
-        }
+    for (unsigned int k = 0; k < probes.size(); ++k)
+      {
+        const auto                columns = probes[k].reading_columns();
+        const std::vector<double> values(next, next + columns.size());
+        next += columns.size();
+        for (unsigned int c = 0; c < columns.size(); ++c)
+          {
+            statistics.set(columns[c], values[c]);
+            table.set(columns[c], values[c]);
+          }
+        record(k,
+               probes[k].quantity == "pressure" ? view.pressure_time :
+                                                  view.time,
+               values,
+               statistics);
+      }
     table.end_row();
+  }
+
+  template <int dim>
+  void
+  Probes<dim>::record(const unsigned int         probe,
+                      const double               time,
+                      const std::vector<double> &values,
+                      StatisticsTable           &statistics)
+  {
+    const std::vector<std::string> columns = probes[probe].signal_columns();
+    std::vector<std::vector<SensorSignal::Sample>> taken;
+    for (unsigned int c = 0; c < columns.size(); ++c)
+      {
+        taken.push_back(signals[probe][c].advance(time, values[c]));
+        if (probes[probe].sensor.cut_off > 0.)
+          {
+            statistics.set(columns[c], signals[probe][c].value());
+            table.set(columns[c], signals[probe][c].value());
+          }
+      }
+    for (std::size_t i = 0; i < taken[0].size(); ++i) // all at the same times
+      {
+        samples[probe].set("time [s]", taken[0][i].time);
+        for (unsigned int c = 0; c < columns.size(); ++c)
+          samples[probe].set(columns[c], taken[c][i].value);
+        samples[probe].end_row();
+      }
   }
 
   template <int dim>
@@ -234,6 +308,12 @@ namespace seiche
   Probes<dim>::save_or_load(StateArchive &archive)
   {
     archive.section("probes", [&]() { table.save_or_load(archive); });
+    for (unsigned int k = 0; k < probes.size(); ++k)
+      archive.section("probe " + probes[k].name, [&]() {
+        for (unsigned int c = 0; c < signals[k].size(); ++c)
+          signals[k][c].save_or_load(archive, std::to_string(c));
+        samples[k].save_or_load(archive);
+      });
   }
 
   template struct ProbeParameters<2>;

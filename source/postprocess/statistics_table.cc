@@ -111,6 +111,8 @@ namespace seiche
     if (!archive.loading())
       return;
 
+    if (rows == 0)
+      return; // there was no file yet
     index.clear();
     for (std::size_t c = 0; c < column_names.size(); ++c)
       index.emplace(column_names[c], c);

@@ -449,6 +449,10 @@ GEOMETRY = [
     Case("probe outside",
          **added("subsection Probe p\n  set Position = 5, 0\nend\n"),
          line=LAST + 2, expect=['"Position" in "Probe p"']),
+    Case("filter above half of the sampling rate",
+         **added("subsection Probe p\n  set Position = 0.1, 0\n"
+                 "  set Sampling rate = 100\n  set Cut-off frequency = 60\nend\n"),
+         line=LAST + 4, expect=['"Cut-off frequency" in "Probe p"', '"Sampling rate"']),
     Case("force on an unknown wall",
          **added("subsection Force f\n  set Walls = rigth\nend\n"),
          line=LAST + 2, expect=['"Walls" in "Force f"', '"right"']),

@@ -35,7 +35,9 @@ TIGHT = ["Solver/Newton tolerance = 1e-12",
          "Solver/Newton absolute tolerance = 1e-13",
          "Solver/Linear tolerance = 1e-12",
          "Solver/Projection tolerance = 1e-13"]
-ROWS = ["statistics.csv", "probes.csv"]
+ROWS = ["statistics.csv", "probes.csv", "probe_bottom.csv", "probe_slow.csv"]
+SENSOR_3D = ["Probe foot/Position = 0.1, 0.2, 0", "Probe foot/Diameter = 0.05",
+             "Probe foot/Sampling rate = 2000", "Probe foot/Cut-off frequency = 20"]
 INDEX = ["grid.pvd", "points.pvd"]
 
 
@@ -110,7 +112,8 @@ def exact_tank(make, folder, ranks):
 
 
 def exact_3d(make, folder, ranks):
-    exact(make(SCENE_3D, ranks), folder, ["statistics.csv"], ["0.17"])
+    exact(make(SCENE_3D, ranks, SENSOR_3D), folder,
+          ["statistics.csv", "probe_foot.csv"], ["0.17"])
 
 
 def exact_ml(make, folder, ranks):

@@ -4,7 +4,9 @@
 
 #include <seiche/postprocess/nodal_pressure.h>
 #include <seiche/postprocess/postprocessor.h>
+#include <seiche/postprocess/sensor_signal.h>
 
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,13 +30,20 @@ namespace seiche
     dealii::Point<dim> position;              ///< [m]
     std::string        quantity = "pressure"; ///< or velocity
     double             diameter = 0.;         ///< [m], 0: a point
+    SensorParameters   sensor;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
     void
     check(const InputFile &input, const GridParameters<dim> &grid) const;
+    /// Those of the readings and, with a filter, those of the filtered ones.
     std::vector<std::string>
     columns() const;
+    std::vector<std::string>
+    reading_columns() const;
+    /// What the sensor gives out: filtered, if it has a filter.
+    std::vector<std::string>
+    signal_columns() const;
 
     /// Places whose mean is the reading [m]: one, or those of a sensor that
     /// lies in the plane of the wall nearest to it (2D: a line, 3D: a disc).
@@ -48,17 +57,18 @@ namespace seiche
    * The pressure is that of `pressure_time`, in the configuration of the
    * forces; the velocity that of the end of the step. Where there is no
    * fluid the reading is zero. Columns go into the statistics and, with both
-   * times, into a file `probes.csv` of their own.
+   * times, into a file `probes.csv` of their own; the samples of a probe with a
+   * sampling rate into `probe_NAME.csv`.
    */
   template <int dim>
   class Probes : public Postprocessor<dim>
   {
   public:
-    /// @p filename empty: no file of its own. One rank writes it.
+    /// @p directory empty: no files of its own. One rank writes them.
     Probes(const std::vector<ProbeParameters<dim>>   &parameters,
            const BackgroundGrid<dim>                 &grid,
            const std::shared_ptr<NodalPressure<dim>> &nodal_pressure,
-           const std::string                         &filename,
+           const std::string                         &directory,
            const bool                                 writes = true);
 
     void
@@ -68,10 +78,24 @@ namespace seiche
     save_or_load(StateArchive &archive) override;
 
   private:
+    /// Means over the places of each probe in turn: pressure, or components
+    /// of the velocity; NaN where there is none yet. Collective.
+    std::vector<double>
+    readings(const StepView<dim> &view) const;
+
+    /// Filter and sample the readings of a probe.
+    void
+    record(const unsigned int         probe,
+           const double               time,
+           const std::vector<double> &values,
+           StatisticsTable           &statistics);
+
     const std::vector<ProbeParameters<dim>>      probes;
     const std::shared_ptr<NodalPressure<dim>>    pressure;
     std::vector<std::vector<dealii::Point<dim>>> places; // of each probe
     StatisticsTable                              table;
+    std::vector<std::vector<SensorSignal>>       signals; // of each column
+    std::deque<StatisticsTable>                  samples; // of each probe
   };
 } // namespace seiche
 
