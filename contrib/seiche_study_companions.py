@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Companion runs of a variant, for its error bars: the same scene with cells and
-steps twice and four times as large, and replicas of all three with another start
-of the points. Standard library only; doc/studies.md describes [error_bars]."""
+steps twice and four times as large, and replicas with another start of the points. Standard library only; doc/studies.md describes [error_bars]."""
 
 import re
 
@@ -98,7 +97,7 @@ class ErrorBars:
                 if factor != 1:
                     raw[name] = scaled(value, factor ** power, f"{variant.name}: {name}")
             result[factor, 0] = self.study.variant(raw, variant.labels) if factor != 1 else variant
-            for i, seed in enumerate(seeds):
+            for i, seed in enumerate(seeds if factor == 1 else ()):
                 replica = {**raw, "Points/Jitter": jitter, "Points/Seed": seed}
                 labels = list(dict.fromkeys([*variant.labels, "Points/Seed"]))
                 result[factor, i + 1] = self.study.variant(replica, labels)
