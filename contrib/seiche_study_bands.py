@@ -87,7 +87,8 @@ def quantities(study, row, folder):
             found[f"score {name}"] = value
     for column, values in read_statistics(folder).items():
         values = [v for v in values if v is not None and math.isfinite(v)]
-        if column.startswith(GAUGES) and f"max({column})" not in sources and values:
+        wanted = column.startswith(GAUGES) and " spray [" not in column
+        if wanted and f"max({column})" not in sources and values:
             found[f"max {column}"] = max(values)
     return {name: value for name, value in found.items() if is_number(value)}
 
