@@ -13,7 +13,7 @@ from seiche_study_results import read_statistics, read_summary
 
 # Columns of statistics.csv whose maximum gets a band.
 GAUGES = ("gauge ", "depth ", "run-up ", "mean level", "probe ", "force ", "moment ")
-ORDERS = (0.5, 1.0)  # between them the observed order is used, else the nearer one
+LOWEST_ORDER = 0.5  # that is used
 SAFETY, SAFETY_OUTSIDE = 1.25, 3.0  # factors of the GCI (Roache 1994)
 ROUND_OFF = 1e-10  # of the values
 SIMILAR = 0.05  # share by which a ratio of sizes may miss 2
@@ -42,22 +42,22 @@ def observed_order(near, far, ratio_near, ratio_far):
     return low
 
 
-def grid_uncertainty(values, sizes):
+def grid_uncertainty(values, sizes, highest_order=1.0):
     """(observed order or None, name of the method, half width) of the value on the
     first of three grids: the grid convergence index of Roache (1994) with an order
-    of at most one, that of the free surface and of the walls, from the pair of grids
-    that gives more. Not the order observed as it is (Celik et al. 2008): one that is
+    of at most the one given, one for free surfaces, from the pair of grids that
+    gives more. Not the order observed as it is (Celik et al. 2008): one that is
     too high by accident, or differences that change their sign, make bands that
     miss (doc/studies.md)."""
     near, far = values[1] - values[0], values[2] - values[1]
     ratio_near, ratio_far = sizes[1] / sizes[0], sizes[2] / sizes[1]
     if max(abs(near), abs(far)) <= ROUND_OFF * max(map(abs, values)):
         return None, "same on all grids", 0.0
-    order, used, safety, name = None, ORDERS[1], SAFETY, "up and down"
+    order, used, safety, name = None, highest_order, SAFETY, "up and down"
     if near * far > 0:
         order, name = observed_order(near, far, ratio_near, ratio_far), ""
-        used = min(max(order or 0.0, ORDERS[0]), ORDERS[1])
-        safety = SAFETY if order is not None and order >= ORDERS[0] else SAFETY_OUTSIDE
+        used = min(max(order or 0.0, LOWEST_ORDER), highest_order)
+        safety = SAFETY if order is not None and order >= LOWEST_ORDER else SAFETY_OUTSIDE
     errors = [abs(near) / (ratio_near ** used - 1),
               abs(far) / (ratio_near ** used * (ratio_far ** used - 1))]
     return order, f"GCI {safety:g} {name}".strip(), safety * max(errors)
@@ -147,7 +147,7 @@ class Bands:
         if sizes and not all(samples):
             sizes, remark = None, "no grid uncertainty: a coarse run has no value"
         order, method, of_grid = (None, "", None) if not sizes else grid_uncertainty(
-            [sample[0] for sample in samples], sizes)
+            [sample[0] for sample in samples], sizes, self.bars.order)
         missing = self.bars.replicas + 1 - len(samples[0])
         if missing:
             remark = "; ".join(filter(None, [remark, f"without {missing} replicas"]))

@@ -49,7 +49,7 @@ def scaled(value, factor, where):
 class ErrorBars:
     """The table [error_bars] of a study file."""
 
-    KEYS = {"replicas": 4, "jitter": 0.2, "scale": None, "truth": {}}
+    KEYS = {"replicas": 4, "jitter": 0.2, "order": 1, "scale": None, "truth": {}}
 
     def __init__(self, study):
         self.study, table = study, study.data.get("error_bars", {})
@@ -59,12 +59,14 @@ class ErrorBars:
         for key in table:
             if key not in self.KEYS:
                 raise StudyError(f"{where}: there is no key {key!r}; known: {', '.join(self.KEYS)}")
-        self.replicas, self.jitter, self.scale, self.truths = (
+        self.replicas, self.jitter, self.order, self.scale, self.truths = (
             table.get(key, default) for key, default in self.KEYS.items())
         if not isinstance(self.replicas, int) or not 0 <= self.replicas <= MOST_REPLICAS:
             raise StudyError(f"{where}: 'replicas' has to be a whole number from 0 to {MOST_REPLICAS}")
         if not isinstance(self.jitter, (int, float)) or not 0 < self.jitter <= 0.5:
             raise StudyError(f"{where}: 'jitter' has to be a number above 0, at most 0.5")
+        if not isinstance(self.order, (int, float)) or not 0.5 <= self.order <= 4:
+            raise StudyError(f"{where}: 'order' has to be a number from 0.5 to 4")
         for key, kind in (("scale", (int, float)), ("truth", (int, float, str))):
             values = table.get(key, {})
             if not isinstance(values, dict) or not all(isinstance(v, kind) for v in values.values()):

@@ -127,9 +127,13 @@ def styles(rows, plot):
 
 
 def draw_bands(axes, rows, plot, quantity, x, style):
-    """Error bars around the lines that are drawn already; what they have below the
-    axis is cut off."""
-    bottom, bands = axes.get_ylim()[0], {}
+    """Error bars around the lines that are drawn already. Values that hardly vary are
+    no errors: their axes become linear; elsewhere the bands are cut off below."""
+    places = [row[quantity] for row in rows if is_positive(row.get(quantity))]
+    if not places or not any(quantity in row["bands"] for row in rows):
+        return
+    linear, bands = max(places) < 2 * min(places), {}
+    bottom = -float("inf") if linear else 0.3 * min(places)
     for row in rows:
         if quantity in row["bands"] and is_positive(row.get(x)) and is_positive(row.get(quantity)):
             low, high = row["bands"][quantity]
@@ -139,8 +143,11 @@ def draw_bands(axes, rows, plot, quantity, x, style):
         places, low, high = zip(*sorted(points))
         axes.fill_between(places, low, high, color=style[label]["color"], alpha=0.15, lw=0)
         axes.vlines(places, low, high, color=style[label]["color"], alpha=0.4, lw=1.5)
-    if bands:
-        axes.set_ylim(bottom=bottom)
+    if linear:
+        axes.set_yscale("linear")
+        axes.set_ylim(auto=True)
+        axes.relim()
+        axes.autoscale_view()
 
 
 def add_failures(axes, failed):

@@ -53,6 +53,7 @@ def estimators(_, __):
     # a higher order counts as one: of two pairs the one that gives more
     order, method, width = grid_uncertainty([1.0, 2.0, 10.0], [1, 2, 4])
     assert close(order, 3, 1e-6) and method == "GCI 1.25" and close(width, 1.25 * 4), width
+    assert close(grid_uncertainty([1.0, 2.0, 10.0], [1, 2, 4], 2)[2], 1.25 * 8 / 12)
     # differences that hardly fall, or grow: safety 3 and an order of 0.5
     order, method, width = grid_uncertainty([1.0, 2.0, 2.5], [1, 2, 4])
     assert order is None and method == "GCI 3" and close(width, 3 / (math.sqrt(2) - 1)), width
@@ -102,6 +103,7 @@ def companions(_, folder):
             ('[vary]\nn = [1]\n[error_bars]\nreplica = 1\n', "no key 'replica'"),
             ('[vary]\nn = [1]\n[error_bars]\nreplicas = 99\n', "from 0 to 10"),
             ('[vary]\nn = [1]\n[error_bars]\njitter = 0\n', "'jitter'"),
+            ('[vary]\nn = [1]\n[error_bars]\norder = 0\n', "'order'"),
             ('[vary]\nn = ["a"]\n[error_bars]\nscale = {n = 1}\n', "no number")):
         try:
             study_of(text)
