@@ -217,7 +217,8 @@ class Study:
                 self.fail(f"collect: {name!r}: names are letters, digits and _, sources are texts")
             if "{" not in source and "(" in source and not COLUMN.match(source):
                 self.fail(f"collect: {name!r}: {source!r}: known: errors/NAME and other paths in "
-                          "summary.json, first, last, min, max, mean as in last(COLUMN), at(COLUMN, TIME)")
+                          "summary.json, first, last, min, max, mean, integral, rise as in last(COLUMN), "
+                          "at(COLUMN, TIME)")
         if not any(self.data.get(name) for name in ("vary", "variants", "sample")):
             self.fail("nothing varies: one of [vary], [[variants]], [sample] is needed")
 

@@ -8,7 +8,7 @@ import math
 import os
 import re
 
-COLUMN = re.compile(r"^(first|last|min|max|mean)\((.+)\)$|^at\((.+),\s*([^,]+)\)$")
+COLUMN = re.compile(r"^(first|last|min|max|mean|integral|rise)\((.+)\)$|^at\((.+),\s*([^,]+)\)$")
 # What the message of a numerical failure is about.
 CAUSES = (
     ("Newton (stopped|hardly converged)", "Newton"),
@@ -66,6 +66,24 @@ def read_summary(folder):
         return {}
 
 
+def integral(pairs):
+    """Of a signal [(time, value)] over its time, by trapezoids: the impulse of a pressure."""
+    return sum(0.5 * (v0 + v1) * (t1 - t0) for (t0, v0), (t1, v1) in zip(pairs, pairs[1:]))
+
+
+def rise_time(pairs):
+    """Twice the time from half of the largest value to that value, as in benchmarks of
+    sloshing impacts (L. Loysel et al., ISOPE 2012)."""
+    peak = max(range(len(pairs)), key=lambda i: pairs[i][1])
+    half, i = 0.5 * pairs[peak][1], peak
+    while i > 0 and pairs[i - 1][1] > half:
+        i -= 1
+    if i == 0:
+        return None  # it was above half from the start
+    (t0, v0), (t1, v1) = pairs[i - 1], pairs[i]
+    return 2 * (pairs[peak][0] - t0 - (t1 - t0) * (half - v0) / (v1 - v0))
+
+
 def collect(source, statistics, summary):
     """Value of "errors/NAME" (summary.json) or "last(COLUMN)" and the like
     (statistics.csv); None if it is missing."""
@@ -87,6 +105,8 @@ def collect(source, statistics, summary):
             if t0 <= time <= t1:
                 return v0 + (v1 - v0) * ((time - t0) / (t1 - t0) if t1 > t0 else 0.0)
         return None
+    if kind in ("integral", "rise"):
+        return (integral if kind == "integral" else rise_time)(pairs)
     return {"first": values[0], "last": values[-1], "min": min(values), "max": max(values),
             "mean": sum(values) / len(values)}[kind]
 

@@ -216,6 +216,12 @@ def orders(_, __):
     assert collect("last(b [m])", statistics, {}) is None
     assert collect("errors/x", {}, {"errors": {"x": 0.5}}) == 0.5
 
+    # a triangle of height 4: half of it 0.5 s before the peak
+    statistics = {"time [s]": [0.0, 1.0, 2.0, 4.0], "p [Pa]": [None, 0.0, 4.0, 0.0]}
+    assert collect("integral(p [Pa])", statistics, {}) == 0.5 * 4 * 3
+    assert collect("rise(p [Pa])", statistics, {}) == 1
+    assert collect("rise(a [m])", {"time [s]": [0.0, 1.0], "a [m]": [3.0, 4.0]}, {}) is None
+
 
 def plots(_, folder):
     """The three kinds of pictures, from a table; failed runs among them."""
