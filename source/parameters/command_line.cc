@@ -62,8 +62,8 @@ namespace seiche
       while (std::getline(lines, line) && line.rfind("# ", 0) == 0)
         {
           text += (text.empty() ? "" : " ") + line.substr(2);
-          const std::size_t end = text.find(". ");
-          if (end != std::string::npos || text.back() == '.')
+          const std::size_t end = (text + " ").find(". ");
+          if (end != std::string::npos)
             return text.substr(0, end);
         }
       return text;
@@ -100,7 +100,7 @@ namespace seiche
       "\n"
       "Exit codes: 0 finished, 1 internal error, 2 mistake in the input, "
       "3 numerical failure, 4 a file cannot be written or read, 5 stopped "
-      "(--restart goes on), 6 fails a verdict.";
+      "(--restart goes on), 6 fails a verdict.\n";
   } // namespace
 
 
