@@ -81,6 +81,8 @@ def self_test(folder):
     text = run(PROGRAM, "--self-test", "--set", "Solver/Newton maximum iterations = 1",
                "--set", "Time/Minimum step = 0.01", code=3, env=environment)
     require(re.search(r"^FAILED dam_break .*Newton", text, re.M), text)
+    printed = run(PROGRAM, "dam.prm", "--self-test", code=2, env=environment)
+    require('leave out "dam.prm"' in printed, printed)
     require(not list(folder.iterdir()), f"left behind: {list(folder.iterdir())}")
 
 
@@ -146,13 +148,13 @@ def install(folder):
     # Debian's numpy belongs to Debian's interpreter
     lines = run("/usr/bin/python3", "-c",
                 'from seiche_output import Run; print(len(Run("dam").statistics))', cwd=folder,
-                env={**os.environ, "PYTHONPATH": str(prefix / "lib/python")})
+                env={**os.environ, "PYTHONPATH": str(prefix / cached("SEICHE_PYTHON_DIR"))})
     require(int(lines) > 5, lines)
     run(programs / "seiche", prefix / "share/seiche/prm/benchmarks/dam_break_2d/dam_break_2d.prm",
         "--validate")
     # headers and libraries, without those of the sources
     run("cmake", "-S", prefix / "share/doc/seiche/examples", "-B", folder / "build",
-        f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_BUILD_TYPE={build_type()}")
+        f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_BUILD_TYPE={cached('CMAKE_BUILD_TYPE')}")
     run("cmake", "--build", folder / "build")
     printed = run(folder / "build/example_column", cwd=folder)
     require(re.search(r"^t 0\.5 s, front 1\.\d+ m", printed, re.M), printed)
@@ -160,9 +162,9 @@ def install(folder):
     require(summary["status"] == "finished" and summary["steps"] == 50, f"{summary}")
 
 
-def build_type():
-    return re.search(r"^CMAKE_BUILD_TYPE:STRING=(\w+)", (BUILD / "CMakeCache.txt").read_text(),
-                     re.M).group(1)
+def cached(name):
+    """Of the build that is installed."""
+    return re.search(rf"^{name}:\w+=(\S+)$", (BUILD / "CMakeCache.txt").read_text(), re.M).group(1)
 
 
 with tempfile.TemporaryDirectory() as name:
