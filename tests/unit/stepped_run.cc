@@ -21,7 +21,7 @@ namespace
     const bool           in_3d = dim == 3;
     seiche::SceneEntries scene;
     scene.set("Grid/Lower corner", in_3d ? "0, 0, 0" : "0, 0")
-      .set("Grid/Upper corner", in_3d ? "1, 1, 1" : "1, 1")
+      .set("Grid/Upper corner", in_3d ? "1, 1, 1.5" : "1, 1.5")
       .set("Grid/Cell size", 0.25)
       .set("Body force/Acceleration", in_3d ? "0; 0; -10" : "0; -10")
       .set("Fluid/Density", 1.)
