@@ -62,8 +62,8 @@ endif()
 set(config ${CMAKE_INSTALL_LIBDIR}/cmake/seiche)
 foreach(layer ${seiche_layers})
   install(TARGETS seiche_${layer} EXPORT seicheTargets
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
+    INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endforeach()
 install(TARGETS seiche_interface EXPORT seicheTargets)
 install(DIRECTORY include/seiche ${CMAKE_CURRENT_BINARY_DIR}/include/seiche

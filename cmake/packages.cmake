@@ -16,8 +16,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME seiche)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS
   "openmpi-bin, python3, python3-numpy, python3-matplotlib, python3-h5py")
-set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "${PROJECT_DESCRIPTION}
- Dam breaks, sloshing, waves against obstacles, in two and three dimensions:
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Dam breaks, sloshing, waves against obstacles, in two and three dimensions:
  the program seiche, its scenes, and scripts for plots, pictures and studies.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME seiche-dev)
@@ -25,6 +24,5 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "g++, cmake, libdeal.ii-dev, \
 libsuitesparse-dev, libhypre-dev, libcli11-dev, nlohmann-json3-dev, libfmt-dev")
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Seiche as a library
- Headers, libraries and find_package(seiche) for programs of one's own.")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Headers, libraries and find_package(seiche) for programs of one's own.")
 include(CPack)
