@@ -31,7 +31,7 @@ namespace
       .set("Fluid body column/Upper corner",
            std::to_string(width) + ", " + std::to_string(height))
       .set("Front surge/Direction", "x")
-      .set("Time/End time", 0.5)
+      .set("Time/End time", 0.4)
       .set("Time/Step", 0.01);
     return scene;
   }

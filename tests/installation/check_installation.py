@@ -157,9 +157,9 @@ def install(folder):
         f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_BUILD_TYPE={cached('CMAKE_BUILD_TYPE')}")
     run("cmake", "--build", folder / "build")
     printed = run(folder / "build/example_column", cwd=folder)
-    require(re.search(r"^t 0\.5 s, front 1\.\d+ m", printed, re.M), printed)
+    require(re.search(r"^t 0\.4 s, front 1\.\d+ m", printed, re.M), printed)
     summary = json.loads((folder / "column/summary.json").read_text())
-    require(summary["status"] == "finished" and summary["steps"] == 50, f"{summary}")
+    require(summary["status"] == "finished" and summary["steps"] == 40, f"{summary}")
 
 
 def cached(name):
