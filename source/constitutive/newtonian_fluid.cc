@@ -10,6 +10,16 @@
 
 namespace seiche
 {
+  namespace
+  {
+    /// No fluid has more, and products of what is far above are no numbers any
+    /// more [kg/m^3], [Pa s], [Pa].
+    constexpr double largest_density = 1e20, largest_viscosity = 1e30,
+                     largest_modulus = 1e30;
+  } // namespace
+
+
+
   void
   FluidParameters::add_parameters(dealii::ParameterHandler &prm)
   {
@@ -18,12 +28,12 @@ namespace seiche
                       density,
                       "Density of the fluid at rest, greater than zero. "
                       "[kg/m^3]",
-                      dealii::Patterns::Double(0.),
+                      dealii::Patterns::Double(0., largest_density),
                       /*has_to_be_set=*/true);
     prm.add_parameter("Dynamic viscosity",
                       dynamic_viscosity,
                       "Dynamic viscosity; 0 for an inviscid fluid. [Pa s]",
-                      dealii::Patterns::Double(0.),
+                      dealii::Patterns::Double(0., largest_viscosity),
                       /*has_to_be_set=*/true);
     prm.add_parameter("Bulk modulus",
                       bulk_modulus_text,
@@ -63,8 +73,9 @@ namespace seiche
                   path,
                   "allowed are a positive number [Pa] and \"infinite\".");
     bulk_modulus = entry_values::number(input, path, bulk_modulus_text);
-    input.require(bulk_modulus > 0.,
+    input.require(bulk_modulus > 0. && bulk_modulus <= largest_modulus,
                   path,
-                  "must be greater than zero [Pa], or \"infinite\".");
+                  "must be greater than zero and at most 1e30 [Pa], or "
+                  "\"infinite\".");
   }
 } // namespace seiche

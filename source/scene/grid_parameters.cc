@@ -10,12 +10,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace seiche
 {
   namespace
   {
+    /// No scene is larger, and powers of what is far above are no numbers any
+    /// more [m].
+    constexpr double largest_coordinate = 1e15;
+
     /// Cells of the finest lattice along a direction: all of them are counted
     /// in 64 bits, those along one in 32.
     template <int dim>
@@ -100,6 +106,13 @@ namespace seiche
       entry_values::point<dim>(input, "Grid/Lower corner", lower_text);
     upper_corner =
       entry_values::point<dim>(input, "Grid/Upper corner", upper_text);
+    for (unsigned int d = 0; d < dim; ++d)
+      for (const auto &[corner, path] :
+           {std::make_pair(lower_corner, "Grid/Lower corner"),
+            std::make_pair(upper_corner, "Grid/Upper corner")})
+        input.require(std::abs(corner[d]) <= largest_coordinate,
+                      path,
+                      "coordinates are at most 1e15 m.");
     for (unsigned int d = 0; d < dim; ++d)
       input.require(lower_corner[d] < upper_corner[d],
                     "Grid/Upper corner",

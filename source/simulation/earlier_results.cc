@@ -88,18 +88,23 @@ namespace seiche
       return names;
     }
 
+    /// @p names: files_of_run().
     bool
     has_step(const std::string &folder, const std::vector<std::string> &names)
     {
+      unsigned int rows = 0;
       for (const std::string &name : names)
-        if (evidence(name) == Evidence::checkpoint)
-          return true;
-      std::ifstream statistics(folder + "/statistics.csv");
-      std::string   line;
-      unsigned int  n = 0;
-      while (n <= rows_without_step && std::getline(statistics, line))
-        ++n;
-      return n > rows_without_step;
+        {
+          if (evidence(name) == Evidence::checkpoint)
+            return true;
+          if (evidence(name) != Evidence::statistics)
+            continue;
+          std::ifstream statistics(folder + "/" + name);
+          std::string   line;
+          while (rows <= rows_without_step && std::getline(statistics, line))
+            ++rows;
+        }
+      return rows > rows_without_step;
     }
 
     [[noreturn]] void
@@ -205,7 +210,8 @@ namespace seiche
     const std::vector<std::string> names = files_of_run(directory);
     if (!has_step(directory, names))
       {
-        if (is_there(directory + "/statistics.csv")) // else nobody knows whose
+        if (std::find(names.begin(), names.end(), "statistics.csv") !=
+            names.end()) // else nobody knows whose they are
           remove_files_of_run(directory);
         return false;
       }

@@ -15,9 +15,10 @@ namespace seiche
 
   namespace
   {
-    constexpr double hardly_meant = 20.; // speed over sqrt(g H)
-    constexpr double mostly       = 0.7; // of the body force
-  }                                      // namespace
+    constexpr double hardly_meant = 20.;   // speed over sqrt(g H)
+    constexpr double mostly       = 0.7;   // of the body force
+    constexpr double hardly_moves = 1e-10; // cells in a step
+  }                                        // namespace
 
   template <int dim>
   SceneScales::SceneScales(const PointCloud<dim> &points,
@@ -59,6 +60,19 @@ namespace seiche
   SceneScales::wave_speed() const
   {
     return std::sqrt(gravity * depth);
+  }
+
+  bool
+  SceneScales::step_is_round_off() const
+  {
+    const double way = std::max(speed, gravity * step) * step / smallest_cell;
+    return way > 0. && way < hardly_moves;
+  }
+
+  double
+  SceneScales::ordinary_step() const
+  {
+    return 0.5 * smallest_cell / std::max(wave_speed(), speed);
   }
 
   std::string

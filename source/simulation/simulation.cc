@@ -56,7 +56,7 @@ namespace seiche
                   fill,
                   report,
                   timer)
-    , time_stepper(scene.time, step_advice(scene))
+    , time_stepper(scene.time, step_advice(scene, scene_scales()))
     , statistics(directory + "/statistics.csv",
                  Utilities::MPI::this_mpi_process(communicator) == 0)
   {}

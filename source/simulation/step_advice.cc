@@ -10,8 +10,13 @@ namespace seiche
 {
   template <int dim>
   std::string
-  step_advice(const Scene<dim> &scene)
+  step_advice(const Scene<dim> &scene, const SceneScales &scales)
   {
+    if (scales.step_is_round_off())
+      return fmt::format("Points hardly move in such a step, so that only "
+                         "round-off is left. What may help in this scene: "
+                         "Time/Step = {:.1g}.",
+                         scales.ordinary_step());
     const FreeSurfaceParameters   &surface = scene.free_surface;
     const StabilizationParameters &vms     = scene.formulation.stabilization;
     const unsigned int enough_points       = dim == 2 ? 4 : 2; // a direction
@@ -19,7 +24,8 @@ namespace seiche
     const bool         is_mixed            = scene.formulation.is_mixed();
     const bool         has_subscales       = is_mixed && vms.is_active();
     const double       least_floor         = 1.; // cells a step
-    const double least_inertia_factor = 0.25;    // doc/methods.md, in splashes
+    const double       larger_modulus      = 10.;
+    const double least_inertia_factor = 0.25; // doc/methods.md, in splashes
     // first what makes the equations of a step unstable at every size
     const std::vector<std::pair<bool, std::string>> table = {
       {is_mixed && !has_subscales, "Formulation/Stabilization = ASGS"},
@@ -37,7 +43,9 @@ namespace seiche
       {is_mixed && !scene.fluid.is_incompressible() &&
          !scene.formulation.lumps_inertia(),
        "Fluid/Bulk modulus = infinite"},
-      {!is_mixed, "a larger Fluid/Bulk modulus"},
+      {!is_mixed,
+       fmt::format("Fluid/Bulk modulus = {:.3g}",
+                   larger_modulus * scene.fluid.bulk_modulus)},
       {scene.time.accepts_failing_steps(), "Time/Failing steps = repeated"},
       {surface.point_inertia < 1., "Free surface/Point inertia = 1"},
       {surface.acceleration < 0.1, "Free surface/Ghost acceleration = 0.1"},
@@ -50,10 +58,11 @@ namespace seiche
       {has_subscales && vms.continuity_factor < enough_tau2,
        fmt::format("Formulation/Tau continuity factor = {}", enough_tau2)},
       {scene.formulation.degree > 1, "Formulation/Element degree = 1"},
-      {scene.time.minimum_step > 0., "a smaller Time/Minimum step"},
+      {scene.time.minimum_step > 0., "Time/Minimum step = 0"},
       {scene.newton.tolerance < NewtonParameters().tolerance,
-       "a larger Solver/Newton tolerance"},
-      {true, "a smaller Time/Step"}};
+       fmt::format("Solver/Newton tolerance = {}",
+                   NewtonParameters().tolerance)},
+      {true, fmt::format("Time/Step = {:.3g}", 0.5 * scene.time.step)}};
     std::string result;
     for (const auto &[helps, entry] : table)
       if (helps)
@@ -62,7 +71,7 @@ namespace seiche
   }
 
   template std::string
-  step_advice(const Scene<2> &);
+  step_advice(const Scene<2> &, const SceneScales &);
   template std::string
-  step_advice(const Scene<3> &);
+  step_advice(const Scene<3> &, const SceneScales &);
 } // namespace seiche

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -112,6 +114,16 @@ namespace seiche
                   "automatic");
   }
 
+  std::string
+  LinearResult::problem() const
+  {
+    if (is_singular)
+      return "the matrix of the step is singular: nothing determines some of "
+             "the velocities or pressures";
+    return fmt::format("the linear solver stopped after {} iterations",
+                       iterations);
+  }
+
   template <int dim>
   LinearSolver<dim>::LinearSolver(const LinearSolverParameters &p,
                                   const MaterialConstants      &m,
@@ -167,9 +179,13 @@ namespace seiche
   {
     const TimerTree::Scope scope(timer, "linear solve");
     LinearResult           result;
-    if (direct)
+    const auto             factorise = [&]() {
       result.converged =
         solve_directly<dim>(*matrix, closed, solution, right_hand_side);
+      result.is_singular = !result.converged;
+    };
+    if (direct)
+      factorise();
     else
       {
         result = solve_iteratively(solution, right_hand_side, tolerance);
@@ -182,8 +198,7 @@ namespace seiche
             result.iterations += wasted;
           }
         if (!result.converged && rescue)
-          result.converged =
-            solve_directly<dim>(*matrix, closed, solution, right_hand_side);
+          factorise();
       }
     if (closed)
       solution.block(1).add(-solution.block(1).mean_value());

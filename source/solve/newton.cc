@@ -156,13 +156,17 @@ namespace seiche
     const bool is_slow   = progress.slow_in_row >= progress.most_slow;
     if (may_go_on && !is_slow && std::isfinite(now.momentum + now.volume))
       return "";
-    return fmt::format(
-      "Newton {} after {} iterations, residuals {:.1e} and {:.1e} of their "
-      "first values",
-      is_slow && may_go_on ? "hardly converged" : "stopped",
-      iterations,
-      ratio(now.momentum, first.momentum),
-      ratio(now.volume, first.volume));
+    const std::string text =
+      fmt::format("Newton {} after {} iterations, residual",
+                  is_slow && may_go_on ? "hardly converged" : "stopped",
+                  iterations);
+    const double momentum = ratio(now.momentum, first.momentum);
+    if (residual.n_blocks() == 1)
+      return fmt::format("{} {:.1e} of its first value", text, momentum);
+    return fmt::format("{}s {:.1e} and {:.1e} of their first values",
+                       text,
+                       momentum,
+                       ratio(now.volume, first.volume));
   }
 
   template <int dim>
@@ -261,9 +265,7 @@ namespace seiche
         ++result.iterations;
         if (!linear.is_usable(usable_reduction))
           {
-            result.failure =
-              fmt::format("the linear solver stopped after {} iterations",
-                          linear.iterations);
+            result.failure = linear.problem();
             return result;
           }
         residual_change          = residual; // of the old one, negative

@@ -38,6 +38,16 @@ namespace seiche
     std::vector<std::string>
     doubts() const;
 
+    /// True if a point moves by no more in a step than what is lost in the
+    /// round-off of a volume. Local.
+    bool
+    step_is_round_off() const;
+
+    /// A step in which the fastest point or wave crosses half a cell [s].
+    /// Local.
+    double
+    ordinary_step() const;
+
   private:
     double
     wave_speed() const;

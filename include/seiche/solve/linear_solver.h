@@ -40,9 +40,10 @@ namespace seiche
   /// What became of a solve.
   struct LinearResult
   {
-    bool         converged  = false;
-    unsigned int iterations = 0; ///< Krylov iterations, 0 for direct
-    double       reduction  = std::numeric_limits<double>::infinity();
+    bool         converged   = false;
+    bool         is_singular = false; ///< could not be factorised
+    unsigned int iterations  = 0;     ///< Krylov iterations, 0 for direct
+    double       reduction   = std::numeric_limits<double>::infinity();
     ///< residual over its first value, if failed
 
     /// Not as good as asked, but a gain: another iteration around it goes on.
@@ -51,6 +52,10 @@ namespace seiche
     {
       return converged || reduction <= largest_reduction;
     }
+
+    /// What a user is told of a solve that is of no use.
+    std::string
+    problem() const;
   };
 
   /**
