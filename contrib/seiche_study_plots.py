@@ -129,25 +129,26 @@ def styles(rows, plot):
 def draw_bands(axes, rows, plot, quantity, x, style):
     """Error bars around the lines that are drawn already. Values that hardly vary are
     no errors: their axes become linear; elsewhere the bands are cut off below."""
-    places = [row[quantity] for row in rows if is_positive(row.get(quantity))]
-    if not places or not any(quantity in row["bands"] for row in rows):
+    values = [row[quantity] for row in rows if is_positive(row.get(quantity))]
+    if not values or not any(quantity in row["bands"] for row in rows):
         return
-    linear, bands = max(places) < 2 * min(places), {}
-    bottom = -float("inf") if linear else 0.3 * min(places)
+    linear, bands = max(values) < 2 * min(values), {}
+    bottom = -float("inf") if linear else 0.3 * min(values)
     for row in rows:
         if quantity in row["bands"] and is_positive(row.get(x)) and is_positive(row.get(quantity)):
             low, high = row["bands"][quantity]
             label = label_of(row, as_list(plot.get("line", [])))
             bands.setdefault(label, []).append((row[x], max(low, bottom), high))
     for label, points in bands.items():
-        places, low, high = zip(*sorted(points))
-        axes.fill_between(places, low, high, color=style[label]["color"], alpha=0.15, lw=0)
-        axes.vlines(places, low, high, color=style[label]["color"], alpha=0.4, lw=1.5)
+        at, low, high = zip(*sorted(points))
+        axes.fill_between(at, low, high, color=style[label]["color"], alpha=0.15, lw=0)
+        axes.vlines(at, low, high, color=style[label]["color"], alpha=0.4, lw=1.5)
     if linear:
         axes.set_yscale("linear")
-        axes.set_ylim(auto=True)
-        axes.relim()
-        axes.autoscale_view()
+        lowest, highest = (pick(v for points in bands.values() for point in points for v in point[1:])
+                           for pick in (min, max))
+        lowest, highest = min(lowest, *values), max(highest, *values)
+        axes.set_ylim(lowest - 0.05 * (highest - lowest), highest + 0.05 * (highest - lowest))
 
 
 def add_failures(axes, failed):
