@@ -5,6 +5,7 @@
 #include <seiche/simulation/self_test.h>
 #include <seiche/utilities/exceptions.h>
 #include <seiche/utilities/printable.h>
+#include <seiche/utilities/waiting_rank.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -127,6 +128,7 @@ main(int argc, char **argv)
 {
   keep_freed_memory();
   start_alone();
+  seiche::let_waiting_ranks_sleep();
   // a limit of the file size shall be an error of write(), not a signal
   std::signal(SIGXFSZ, SIG_IGN);
   // the options are ours: PETSc, which deal.II starts, would complain of them

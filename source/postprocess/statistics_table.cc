@@ -7,6 +7,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 namespace seiche
@@ -122,33 +123,49 @@ namespace seiche
       column.second.assign(filename.empty() ? rows : 0, missing);
     if (filename.empty())
       return;
-    parse(checked_file::read(filename, length));
+    read_rows(length);
     if (writes)
       file.continue_at(filename, length);
   }
 
   void
-  StatisticsTable::parse(const std::string &text)
+  StatisticsTable::read_rows(const std::size_t length)
   {
-    const std::string header = header_line();
-    bool              valid  = text.compare(0, header.size(), header) == 0;
-    const char       *next   = text.data() + header.size();
-    const char *const end    = text.data() + text.size();
-    for (std::size_t r = 0; r < rows && valid; ++r)
-      for (std::size_t c = 0; c < row.size() && valid; ++c)
-        {
-          double     value     = std::numeric_limits<double>::quiet_NaN();
-          const auto field     = std::from_chars(next, end, value);
-          const char separator = (c + 1 < row.size() ? ',' : '\n');
-          valid                = field.ptr < end && *field.ptr == separator;
-          next                 = field.ptr + 1;
-          put(c, value);
-        }
+    std::ifstream stream(filename);
+    std::string   line;
+    std::size_t   done  = 0; // bytes
+    bool          valid = true;
+    // line by line: the file may be larger than all the rest of the run
+    for (std::size_t r = 0; r <= rows && valid; ++r)
+      {
+        valid = static_cast<bool>(std::getline(stream, line));
+        line += '\n';
+        done += line.size();
+        valid = valid && (r == 0 ? line == header_line() : parse(line));
+      }
     n_set = 0;
-    if (!valid || next != end)
+    if (!valid || done != length)
       throw FileError(filename +
                       ": does not hold the rows that the checkpoint goes on "
                       "from; put the file of that run back, or start again.");
+  }
+
+  bool
+  StatisticsTable::parse(const std::string &line)
+  {
+    const char       *next = line.data();
+    const char *const end  = next + line.size();
+    for (std::size_t c = 0; c < row.size(); ++c)
+      {
+        double     value     = std::numeric_limits<double>::quiet_NaN();
+        const auto field     = std::from_chars(next, end, value);
+        const char separator = (c + 1 < row.size() ? ',' : '\n');
+        if (field.ptr == end || *field.ptr != separator)
+          return false;
+        next = field.ptr + 1;
+        put(c, value);
+      }
+    return next == end;
   }
 
   const std::vector<double> &

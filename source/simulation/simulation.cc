@@ -4,12 +4,30 @@
 #include <seiche/solve/displacement_error.h>
 #include <seiche/utilities/exceptions.h>
 #include <seiche/utilities/first_rank.h>
+#include <seiche/utilities/injected_fault.h>
 
 #include <fmt/format.h>
 
 namespace seiche
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// What tests of the answer to it ask for.
+    template <int dim>
+    void
+    damage_if_asked(PointCloud<dim> &points)
+    {
+      if (points.size() == 0)
+        return;
+      if (is_injected(Fault::position))
+        points.data(PointColumn::position)[0] =
+          std::numeric_limits<double>::quiet_NaN();
+      if (is_injected(Fault::velocity))
+        points.data(PointColumn::velocity)[0] = 1e150;
+    }
+  } // namespace
 
   template <int dim>
   Simulation<dim>::Simulation(Scene<dim>        &run_scene,
@@ -263,6 +281,7 @@ namespace seiche
                                  points);
       }
     points.wrap();
+    damage_if_asked(points);
     if (accepts)
       accepted_failures.account(
         step_solver.effort(), n_held, state.time, communicator, report);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/formulation/point_inertia.h>
 #include <seiche/solve/assembler.h>
+#include <seiche/utilities/injected_fault.h>
+
+#include <limits>
 
 namespace seiche
 {
@@ -122,6 +125,9 @@ namespace seiche
       state.reaction.local_element(i) = value;
       value                           = 0.;
     });
+    if (is_injected(Fault::residual) && residual.block(0).locally_owned_size())
+      residual.block(0).local_element(0) =
+        std::numeric_limits<double>::quiet_NaN();
   }
 
   template <int dim>

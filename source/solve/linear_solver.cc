@@ -2,6 +2,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/solve/direct_solver.h>
 #include <seiche/solve/linear_solver.h>
+#include <seiche/utilities/injected_fault.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -179,6 +180,8 @@ namespace seiche
   {
     const TimerTree::Scope scope(timer, "linear solve");
     LinearResult           result;
+    if (is_injected(Fault::stall))
+      return result;
     const auto             factorise = [&]() {
       result.converged =
         solve_directly<dim>(*matrix, closed, solution, right_hand_side);
@@ -202,6 +205,9 @@ namespace seiche
       }
     if (closed)
       solution.block(1).add(-solution.block(1).mean_value());
+    if (is_injected(Fault::update) && solution.block(0).locally_owned_size())
+      solution.block(0).local_element(0) =
+        std::numeric_limits<double>::quiet_NaN();
     return result;
   }
 

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Kill a run at random moments, restart it, and compare its end.
 
-kill_test.py SEICHE MPIRUN [--kills N] [--ranks N] [--seed N]
+kill_test.py SEICHE MPIRUN [--kills N] [--ranks N] [--seed N] [--scene NAME]
 
 kill -9 of all ranks, alternately at any moment and as soon as a checkpoint is
-being written. In the end statistics.csv and probes.csv must be byte for byte
+being written. In the end statistics.csv (and probes.csv) must be byte for byte
 those of a run that nobody touched. Runs that end before enough kills are
 compared too, and the next one starts in a new folder.
 """
@@ -19,9 +19,13 @@ import time
 
 from runs import Program, checkpoints, kill, require_same_files
 
-SCENE = str(pathlib.Path(__file__).resolve().parent / "dam_break_2d.prm")
-OPTIONS = ["Time/Step = 0.002", "Checkpoint/Every steps = 10",
-           "Output/Interval = 0.02"]
+HERE = pathlib.Path(__file__).resolve().parent
+SCENES = {  # options, files to compare
+    "dam_break_2d": (["Time/Step = 0.002", "Checkpoint/Every steps = 10",
+                      "Output/Interval = 0.02"],
+                     ["statistics.csv", "probes.csv"]),
+    "adaptive_2d": (["Output/Interval = 0.02"], ["statistics.csv"]),
+    "column_3d": ([], ["statistics.csv"])}
 
 
 def being_written(folder):
@@ -44,11 +48,13 @@ def main():
     parser.add_argument("--kills", type=int, default=20)
     parser.add_argument("--ranks", type=int, default=2)
     parser.add_argument("--seed", type=int, default=None)
+    parser.add_argument("--scene", choices=SCENES, default="dam_break_2d")
     arguments = parser.parse_args()
     seed = arguments.seed if arguments.seed is not None else time.time_ns()
     chance = random.Random(seed)
-    program = Program(arguments.seiche, arguments.mpirun, SCENE,
-                      arguments.ranks, OPTIONS)
+    options, results = SCENES[arguments.scene]
+    program = Program(arguments.seiche, arguments.mpirun,
+                      str(HERE / f"{arguments.scene}.prm"), arguments.ranks, options)
 
     kills, in_writing, before_first, whole_runs = 0, 0, 0, 0
     with tempfile.TemporaryDirectory() as folder:
@@ -75,15 +81,13 @@ def main():
             if not resumes:  # the first run may have waited for others
                 duration = min(duration, time.monotonic() - begin)
             assert process.returncode == 0, f"seed {seed}: {text}"
-            require_same_files(f"{folder}/whole", parts,
-                               ["statistics.csv", "probes.csv"])
+            require_same_files(f"{folder}/whole", parts, results)
             whole_runs += 1
             parts = f"{folder}/parts{whole_runs}"
         resumes = os.path.isdir(parts) and bool(checkpoints(parts))
         program.run(parts, *(["--restart"] if resumes else []))
-        require_same_files(f"{folder}/whole", parts,
-                           ["statistics.csv", "probes.csv"])
-    print(f"seed {seed}: {kills} kills on {arguments.ranks} ranks, "
+        require_same_files(f"{folder}/whole", parts, results)
+    print(f"{arguments.scene}, seed {seed}: {kills} kills on {arguments.ranks} ranks, "
           f"{in_writing} while a checkpoint was written, {before_first} starts "
           f"without one; {whole_runs + 1} runs completed, all the same as one "
           f"without kills ({duration:.1f} s)")

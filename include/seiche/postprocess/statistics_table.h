@@ -69,9 +69,13 @@ namespace seiche
   private:
     std::string
     header_line() const;
-    /// Fill the kept columns and the last row from the text of the file.
+    /// Fill the kept columns and the last row from the file, whose first
+    /// @p length bytes must be these rows.
     void
-    parse(const std::string &text);
+    read_rows(const std::size_t length);
+    /// Put the values of a line; false if they are not one a column.
+    bool
+    parse(const std::string &line);
 
     /// Take a value of row rows + 1.
     void

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Water that sloshes for many steps: memory and open files stay as they are.
+
+soak.py SEICHE
+
+After a twentieth of the run (1000 steps, where it is long enough) the resident memory
+grows by less than 1 % and the number of open files not at all.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import time
+
+from harness import ROOT, amount, arguments, scratch
+
+SCENE = ROOT / "tests/reliability/scenes/slosh.prm"
+STEP = 0.01  # [s], of the scene
+LARGEST_GROWTH = 0.01
+
+
+def sample(process, table):
+    """Steps done, resident memory [KiB], open files; nothing if it has ended."""
+    try:
+        status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+        files = len(os.listdir(f"/proc/{process.pid}/fd"))
+        rows = table.read_bytes().count(b"\n") - 2
+    except OSError:
+        return None
+    resident = re.search(r"VmRSS:\s+(\d+)", status)
+    return (rows, int(resident.group(1)), files) if resident else None
+
+
+def main():
+    options = arguments(__doc__)
+    steps = amount("soak_steps")
+    begin = min(1000, steps // 2)
+    samples = []
+    with scratch() as folder:
+        table = pathlib.Path(folder, "out/statistics.csv")
+        with subprocess.Popen(
+                [options.seiche, SCENE, "--set", f"Time/End time = {steps * STEP:g}",
+                 "--output", f"{folder}/out"], stdout=subprocess.DEVNULL) as process:
+            while process.poll() is None:
+                samples.append(sample(process, table))
+                time.sleep(min(5.0, 1e-4 * steps))
+        code = process.returncode
+    samples = [values for values in samples if values and values[0] >= begin]
+    if not samples:
+        print(f"soak: exit code {code}, the run was too quick to be seen")
+        return 1
+    memory = [values[1] for values in samples]
+    # while a frame is written one more file is open
+    files = [values[2] for values in samples]
+    usual = sorted(files[:max(1, len(files) // 2)])[len(files) // 4]
+    later = sorted(files[len(files) // 2:])[len(files) // 4]
+    growth = max(memory) / memory[0] - 1.0
+    good = code == 0 and growth < LARGEST_GROWTH and later == usual
+    print(f"soak: {steps} steps, exit code {code}; from step {samples[0][0]} on memory "
+          f"{memory[0] / 1024:.0f} MiB grew by {100 * growth:.2f} %, open files {usual} and "
+          f"{later}: {'as it should be' if good else 'FAILED'}")
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
