@@ -54,8 +54,9 @@ namespace seiche
       // every file of doc/output.md
       static const std::regex file_of_run(
         "(summary\\.json|parameters\\.prm|run\\.log|progress\\.json|"
-        "timing\\.txt|probes\\.csv|(points|grid|surface)\\.pvd|"
-        "(points|grid|surface)_[0-9]{6,}(\\.[0-9]{4,})?\\.(vtu|pvtu|h5)|"
+        "timing\\.txt|methods\\.bib|paraview_state\\.py|probes\\.csv|"
+        "probe_[^/]+\\.csv|(points|grid|surface|walls)\\.pvd|"
+        "(points|grid|surface|walls)_[0-9]{6,}(\\.[0-9]{4,})?\\.(vtu|pvtu|h5)|"
         "checkpoint-[0-9]+\\.h5|failure)(\\.writing)?");
       static const std::regex checkpoint("checkpoint-[0-9]+\\.h5");
       if (name == "statistics.csv")

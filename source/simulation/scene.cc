@@ -155,6 +155,11 @@ namespace seiche
       "Transfer/Method",
       "FLIP acceleration updates velocities by Newmark's rule: set Time/Scheme "
       "= newmark, or another method");
+    input_file.require(tank_motion.rotation.empty() || !grid.any_periodic(),
+                       "Tank motion/Rotation",
+                       "a tank with periodic sides cannot turn: accelerations "
+                       "would differ at the two sides. Leave it empty, or give "
+                       "the tank walls.");
     postprocessors.check(grid, simulation_columns(), tank_motion.any());
   }
 

@@ -225,6 +225,9 @@ VALUES = [
     Case("wall that jumps at the start",
          **added("subsection Walls\n  set Left displacement = 0.1*cos(t)\nend\n"),
          line=LAST + 2, expect=['"Left displacement" in "Walls"', "t = 0"]),
+    Case("a tank without ends that turns", **added(PERIODIC + "end\n"
+         "subsection Tank motion\n  set Rotation = 0.1*sin(t)\nend\n"),
+         line=LAST + 6, expect=['"Rotation" in "Tank motion"', "periodic"]),
     Case("wall through the tank",
          **added("subsection Walls\n  set Left displacement = 50*t\nend\n"),
          line=LAST + 2, expect=['"Left displacement" in "Walls"', "leaves"]),
