@@ -196,10 +196,13 @@ namespace seiche
         if (point_cells[p] != invalid && locator.holds(point_cells[p], here))
           continue;
 
-        unsigned int cell = locator.find(here, point_cells[p]);
+        // a position that is not a number has no cell and is not put back
+        const bool   is_place = std::isfinite(here.norm_square());
+        unsigned int cell =
+          is_place ? locator.find(here, point_cells[p]) : invalid;
         if (cell == invalid)
           {
-            cell = put_back(p);
+            cell = is_place ? put_back(p) : invalid;
             if (cell == invalid)
               judge_outside(p, census);
             else
