@@ -100,7 +100,7 @@ namespace seiche
     const StatisticsTable &table =
       implementation->simulation.statistics_table();
     if (table.has(column))
-      return table.column(column).back();
+      return table.last(column);
     std::string names;
     for (const std::string &name : table.names())
       names += (names.empty() ? "\"" : ", \"") + name + "\"";

@@ -321,8 +321,8 @@ def paper(seiche, folder):
         return float(numbers[key])
 
     # interFoam against the experiment: from the tables of reference/ alone
-    assert abs(number("Figure 9", "interFoam", "one shift of its clock [s]") - 0.0135) < 1e-9
-    assert abs(number("Figure 9", "interFoam", "rms over H") - 0.0958) < 1e-4
+    assert abs(number("Figure 9", "interFoam", "one shift of its clock [s]") - 0.012) < 1e-9
+    assert abs(number("Figure 9", "interFoam", "rms over H") - 0.0957) < 1e-4
     assert abs(number("Figure 10", "experiment, median, not smoothed",
                       "sensor1, mean 0.9 to 1.3 s [Pa]") - 4141) < 1
     # both names are the same run here; the patch is coarse, not wrong
