@@ -182,7 +182,7 @@ namespace seiche
     LinearResult           result;
     if (is_injected(Fault::stall))
       return result;
-    const auto             factorise = [&]() {
+    const auto factorise = [&]() {
       result.converged =
         solve_directly<dim>(*matrix, closed, solution, right_hand_side);
       result.is_singular = !result.converged;
