@@ -19,6 +19,26 @@ namespace
   constexpr auto awake = 200us;
 
   constexpr auto nap = 50us;
+
+  /// Between two looks at what else runs.
+  constexpr auto look_again = 1s;
+
+  /// True if more processes want to run than there are processors: elsewhere a
+  /// nap of each wait made a small run on two ranks 2.6 times slower.
+  bool
+  is_crowded(const Clock::time_point now)
+  {
+    thread_local Clock::time_point looked;
+    thread_local bool              crowded = false;
+    if (now - looked > look_again)
+      {
+        looked      = now;
+        double load = 0.; // of the last minute
+        crowded     = getloadavg(&load, 1) == 1 &&
+                  load > 1.25 * std::thread::hardware_concurrency();
+      }
+    return crowded;
+  }
 } // namespace
 
 /// In place of the C library's, which Open MPI calls in each poll in vain.
@@ -30,7 +50,7 @@ sched_yield() noexcept
   if (now - last > longest_poll)
     begin = now;
   last = now;
-  if (now - begin > awake)
+  if (now - begin > awake && is_crowded(now))
     {
       std::this_thread::sleep_for(nap);
       last = Clock::now();

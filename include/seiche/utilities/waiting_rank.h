@@ -13,7 +13,8 @@ namespace seiche
    * has to queue for each of the thousands of exchanges of a step. This turns
    * the yielding on and replaces sched_yield(), in this program: nothing for
    * the first moment, as messages between free processors need, then short
-   * sleeps. Measured: doc/scaling.md. What the user has set stays.
+   * sleeps if the machine has more to run than processors. Measured:
+   * doc/scaling.md. What the user has set stays.
    */
   void
   let_waiting_ranks_sleep();
