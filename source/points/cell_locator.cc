@@ -14,6 +14,7 @@ namespace seiche
   {
     for (unsigned int d = 0; d < dim; ++d)
       periodic[d] = grid.parameters.is_periodic(d);
+    has_seam = grid.parameters.any_periodic();
     reinit();
   }
 

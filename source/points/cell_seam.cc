@@ -12,7 +12,7 @@ namespace seiche
 {
   template <int dim>
   dealii::Point<dim>
-  CellLocator<dim>::wrapped(const dealii::Point<dim> &x) const
+  CellLocator<dim>::wrapped_at_seam(const dealii::Point<dim> &x) const
   {
     dealii::Point<dim> result = x;
     for (unsigned int d = 0; d < dim; ++d)
@@ -36,7 +36,7 @@ namespace seiche
 
   template <int dim>
   dealii::Tensor<1, dim>
-  CellLocator<dim>::shortest(const dealii::Tensor<1, dim> &x) const
+  CellLocator<dim>::shortest_at_seam(const dealii::Tensor<1, dim> &x) const
   {
     dealii::Tensor<1, dim> result = x;
     for (unsigned int d = 0; d < dim; ++d)
@@ -53,8 +53,8 @@ namespace seiche
 
   template <int dim>
   dealii::Point<dim>
-  CellLocator<dim>::image(const dealii::Point<dim> &x,
-                          const unsigned int        cell) const
+  CellLocator<dim>::image_at_seam(const dealii::Point<dim> &x,
+                                  const unsigned int        cell) const
   {
     dealii::Point<dim> result = x;
     for (unsigned int d = 0; d < dim; ++d)
@@ -143,17 +143,19 @@ namespace seiche
 
 
   template dealii::Point<2>
-  CellLocator<2>::wrapped(const dealii::Point<2> &) const;
+  CellLocator<2>::wrapped_at_seam(const dealii::Point<2> &) const;
   template dealii::Point<3>
-  CellLocator<3>::wrapped(const dealii::Point<3> &) const;
+  CellLocator<3>::wrapped_at_seam(const dealii::Point<3> &) const;
   template dealii::Tensor<1, 2>
-  CellLocator<2>::shortest(const dealii::Tensor<1, 2> &) const;
+  CellLocator<2>::shortest_at_seam(const dealii::Tensor<1, 2> &) const;
   template dealii::Tensor<1, 3>
-  CellLocator<3>::shortest(const dealii::Tensor<1, 3> &) const;
+  CellLocator<3>::shortest_at_seam(const dealii::Tensor<1, 3> &) const;
   template dealii::Point<2>
-  CellLocator<2>::image(const dealii::Point<2> &, const unsigned int) const;
+  CellLocator<2>::image_at_seam(const dealii::Point<2> &,
+                                const unsigned int) const;
   template dealii::Point<3>
-  CellLocator<3>::image(const dealii::Point<3> &, const unsigned int) const;
+  CellLocator<3>::image_at_seam(const dealii::Point<3> &,
+                                const unsigned int) const;
   template bool
   CellLocator<2>::at_seam(const unsigned int) const;
   template bool

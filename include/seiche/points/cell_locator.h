@@ -74,15 +74,24 @@ namespace seiche
     /// Where @p x is inside the domain if it is beyond a periodic side: half
     /// open, [lower, upper). Other coordinates stay.
     dealii::Point<dim>
-    wrapped(const dealii::Point<dim> &x) const;
+    wrapped(const dealii::Point<dim> &x) const
+    {
+      return has_seam ? wrapped_at_seam(x) : x;
+    }
 
     /// @p x moved by periods so that it is nearest to the cell.
     dealii::Point<dim>
-    image(const dealii::Point<dim> &x, const unsigned int cell) const;
+    image(const dealii::Point<dim> &x, const unsigned int cell) const
+    {
+      return has_seam ? image_at_seam(x, cell) : x;
+    }
 
     /// @p x in periodic directions as difference of two places: the least.
     dealii::Tensor<1, dim>
-    shortest(const dealii::Tensor<1, dim> &x) const;
+    shortest(const dealii::Tensor<1, dim> &x) const
+    {
+      return has_seam ? shortest_at_seam(x) : x;
+    }
 
     /// Cell that holds @p x (wrapped) among own and ghost cells, or invalid. @p
     /// hint is tried first, then its neighbours. Local.
@@ -311,6 +320,15 @@ namespace seiche
     find_face_neighbors();
     void
     find_vertex_neighbors();
+    // asked for by every point and piece of the surface: a call only where
+    // there is a seam
+    dealii::Point<dim>
+    wrapped_at_seam(const dealii::Point<dim> &x) const;
+    dealii::Point<dim>
+    image_at_seam(const dealii::Point<dim> &x, const unsigned int cell) const;
+    dealii::Tensor<1, dim>
+    shortest_at_seam(const dealii::Tensor<1, dim> &x) const;
+
     /// Cell across a face on a periodic side, as neighbor().
     unsigned int
     across_seam(const unsigned int cell, const unsigned int face) const;
@@ -353,6 +371,7 @@ namespace seiche
     std::array<Lines, dim> reference; // of the triangulation, never moved
     LinePlace              line_place;
     std::array<bool, dim>  periodic{};
+    bool                   has_seam       = false; // in some direction
     unsigned int           finest_level   = 0;
     unsigned int           obstacle_shift = 0; // grid's lattice -> finest
     // (Morton key of the lower lattice corner, cell), sorted by key: the cells
