@@ -198,14 +198,19 @@ namespace seiche
                               const Point<dim>    &place,
                               const double         width) const
   {
-    const double   *volume = view.points.data(PointColumn::initial_volume);
+    const double *volume = view.points.data(PointColumn::initial_volume);
+    std::array<const double *, dim - 1> x;
+    for (unsigned int d = 0; d + 1 < dim; ++d)
+      x[d] = view.points.data(PointColumn::position, d);
     const Footprint foot =
       footprint(place, width, view.box.get_boundary_points());
     double result = 0.;
     for (std::size_t i = 0; i < view.points.size(); ++i)
       {
-        const Tensor<1, dim> way =
-          view.occupancy.locator.shortest(view.points.position(i) - place);
+        Tensor<1, dim> way;
+        for (unsigned int d = 0; d + 1 < dim; ++d)
+          way[d] = x[d][i] - place[d];
+        way           = view.occupancy.locator.shortest(way);
         double weight = 1.;
         for (unsigned int d = 0; d + 1 < dim; ++d)
           weight *= std::max(0., 1. - std::abs(way[d]) / width);

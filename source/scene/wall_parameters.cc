@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The entries of GridParameters about walls: sides of the domain and obstacles.
 #include <seiche/parameters/input_file.h>
-#include <seiche/scene/background_grid.h>
 #include <seiche/scene/entry_values.h>
 #include <seiche/scene/grid_parameters.h>
+#include <seiche/scene/side_entry.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -31,18 +31,6 @@ namespace seiche
 
   namespace
   {
-    /// Entry of a side in "Walls": its name with a capital letter.
-    template <int dim>
-    std::string
-    side_entry(const unsigned int id)
-    {
-      std::string name = side_name<dim>(id);
-      name[0]          = std::toupper(name[0]);
-      return name;
-    }
-
-
-
     struct ConditionEntry
     {
       const char   *name;
@@ -283,93 +271,6 @@ namespace seiche
       input.cites("hueeber2005");
     if (any_friction())
       input.cites("schlichting1979");
-  }
-
-
-
-  template <int dim>
-  void
-  GridParameters<dim>::check_periodic(const InputFile &input) const
-  {
-    for (unsigned int id = 0; id < 2 * dim; ++id)
-      {
-        const unsigned int other = id ^ 1u;
-        if (walls[id] != WallCondition::periodic)
-          continue;
-        input.require(walls[other] == WallCondition::periodic,
-                      "Walls/" + side_entry<dim>(other),
-                      "\"" + side_entry<dim>(id) +
-                        "\" is periodic, and this side is the same place: set "
-                        "both to periodic, or none.");
-        for (const unsigned int side : {id, other})
-          input.require(displacements_text[side].empty(),
-                        wall_displacement_path(side),
-                        "a periodic side is no wall; only walls move.");
-      }
-    for (unsigned int d = 0; d < dim; ++d)
-      if (is_periodic(d))
-        {
-          const auto         segments = make_segments(*this, d);
-          const unsigned int n = segments.back().first + segments.back().cells;
-          input.require(
-            n >= fewest_periodic_cells,
-            cells[d].empty() ? "Grid/Cell size" :
-                               fmt::format("Grid/Cells {}", "xyz"[d]),
-            fmt::format("makes {} cell(s) in the periodic direction "
-                        "{}; at least {} are needed.",
-                        n,
-                        "xyz"[d],
-                        fewest_periodic_cells));
-          check_periodic_obstacle(input, d);
-        }
-  }
-
-
-
-  template <int dim>
-  void
-  GridParameters<dim>::check_periodic_obstacle(
-    const InputFile   &input,
-    const unsigned int direction) const
-  {
-    const double tolerance =
-      1e-9 * (upper_corner[direction] - lower_corner[direction]);
-    for (const Obstacle &obstacle : obstacles)
-      {
-        const bool at_lower = obstacle.lower_corner[direction] <=
-                              lower_corner[direction] + tolerance;
-        const bool at_upper = obstacle.upper_corner[direction] >=
-                              upper_corner[direction] - tolerance;
-        input.require(at_lower == at_upper,
-                      "Obstacle " + obstacle.name +
-                        (at_lower ? "/Lower corner" : "/Upper corner"),
-                      fmt::format("it touches the periodic side \"{}\" and not "
-                                  "the opposite one: an obstacle reaches from "
-                                  "one to the other or touches neither. Move "
-                                  "the corners of the grid and all that stands "
-                                  "in it along {}.",
-                                  side_name<dim>(2 * direction + at_upper),
-                                  "xyz"[direction]));
-      }
-  }
-
-
-
-  template <int dim>
-  bool
-  GridParameters<dim>::is_periodic(const unsigned int direction) const
-  {
-    return walls[2 * direction] == WallCondition::periodic;
-  }
-
-
-
-  template <int dim>
-  bool
-  GridParameters<dim>::any_periodic() const
-  {
-    return std::find(walls.begin(), walls.end(), WallCondition::periodic) !=
-           walls.end();
   }
 
 

@@ -90,8 +90,7 @@ namespace seiche
     const WallMotion<dim> wall_motion(grid, input_file, time.end_time);
     body_force.check(input_file, time.end_time);
     tank_motion.check(input_file);
-    (void)
-      TankMotion<dim>(tank_motion, grid, input_file, time.end_time, time.step);
+    (void)make_tank_motion();
     fluid.check(input_file);
     seeding.check(input_file);
     formulation.check(input_file);
@@ -196,6 +195,13 @@ namespace seiche
     const auto account = PointControl<dim>::account_names(point_control);
     names.insert(names.end(), account.begin(), account.end());
     return names;
+  }
+
+  template <int dim>
+  TankMotion<dim>
+  Scene<dim>::make_tank_motion() const
+  {
+    return {tank_motion, grid, input, time.end_time, time.step};
   }
 
   template <int dim>

@@ -71,11 +71,7 @@ namespace seiche
     std::string
     force_text(const Scene<dim> &scene, const Point<dim> &place)
     {
-      const TankMotion<dim> tank(scene.tank_motion,
-                                 scene.grid,
-                                 scene.input,
-                                 scene.time.end_time,
-                                 scene.time.step);
+      const TankMotion<dim> tank = scene.make_tank_motion();
       const BodyForce<dim>  force(scene.body_force, tank, scene.input);
       const Tensor<1, dim>  b      = force.value(place, /*t=*/0.);
       std::string           result = "body force";

@@ -137,7 +137,7 @@ namespace seiche
     memory  = cost.memory(mesh.cells, mesh.occupied, points);
     point_memory =
       cost.memory(0., 0., points) - cost.memory(0., 0., /*points=*/0.);
-    count_files(scene);
+    count_files(scene, cost);
   }
 
   template <int dim>
@@ -153,10 +153,9 @@ namespace seiche
     const double start = initial_speed(bodies, map);
     if (time.control != "CFL")
       return;
-    const TankMotion<dim> tank(
-      scene.tank_motion, scene.grid, scene.input, time.end_time, time.step);
-    const BodyForce<dim> force(scene.body_force, tank, scene.input);
-    const double         speed = std::max(start, speed_of_fall(force, map));
+    const TankMotion<dim> tank = scene.make_tank_motion();
+    const BodyForce<dim>  force(scene.body_force, tank, scene.input);
+    const double          speed = std::max(start, speed_of_fall(force, map));
     steps =
       std::max(steps,
                std::ceil(time.end_time * speed / (time.cfl * smallest.edge)));
@@ -164,11 +163,8 @@ namespace seiche
 
   template <int dim>
   void
-  ScenePlan<dim>::count_files(const Scene<dim> &scene)
+  ScenePlan<dim>::count_files(const Scene<dim> &scene, const CostModel &cost)
   {
-    const CostModel         cost(dim,
-                         scene.formulation.degree,
-                         scene.formulation.is_mixed());
     const OutputParameters &output = scene.postprocessors.output();
     if (output.interval > 0.)
       frames =

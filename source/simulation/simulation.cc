@@ -54,11 +54,7 @@ namespace seiche
     , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
     , density_projection(fill, scene.point_control.density_rate)
     , point_control(scene.point_control, points, occupancy, fill)
-    , tank_motion(scene.tank_motion,
-                  scene.grid,
-                  scene.input,
-                  scene.time.end_time,
-                  scene.time.step)
+    , tank_motion(scene.make_tank_motion())
     , body_force(scene.body_force, tank_motion, scene.input)
     , transfer(scene.transfer,
                fill,

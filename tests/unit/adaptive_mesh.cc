@@ -5,27 +5,13 @@
 #include <seiche/formulation/ghost_penalty.h>
 #include <seiche/grid/mesh_adaptation.h>
 
+#include "global_reductions.h"
 #include "scene_from_text.h"
 
 namespace
 {
   using namespace seiche;
   using dealii::Point;
-
-  const MPI_Comm communicator = MPI_COMM_WORLD;
-
-  template <typename T>
-  T
-  global_sum(const T value)
-  {
-    return dealii::Utilities::MPI::sum(value, communicator);
-  }
-
-  double
-  global_max(const double value)
-  {
-    return dealii::Utilities::MPI::max(value, communicator);
-  }
 
   /// Fluid in a corner of a box of cells 0.2; three levels, an obstacle, and a
   /// box that forces a level jump through the surface.

@@ -7,27 +7,13 @@
 
 #include <set>
 
+#include "global_reductions.h"
 #include "scene_from_text.h"
 
 namespace
 {
   using namespace seiche;
   using dealii::Point;
-
-  const MPI_Comm communicator = MPI_COMM_WORLD;
-
-  template <typename T>
-  T
-  global_sum(const T value)
-  {
-    return dealii::Utilities::MPI::sum(value, communicator);
-  }
-
-  double
-  global_max(const double value)
-  {
-    return dealii::Utilities::MPI::max(value, communicator);
-  }
 
   /// Periodic along all directions but the last; fluid in the corners of the
   /// box, finer there, and coarser cells everywhere else.

@@ -43,6 +43,10 @@ namespace seiche
     void
     check(const InputFile &input);
 
+    /// The scene must outlive it. Throws InputError.
+    TankMotion<dim>
+    make_tank_motion() const;
+
     /// Constants of the weak forms.
     MaterialConstants
     material() const;

@@ -4,6 +4,7 @@
 
 #include <seiche/scene/mesh_estimate.h>
 #include <seiche/scene/smallest_cell.h>
+#include <seiche/simulation/cost_model.h>
 #include <seiche/simulation/scene.h>
 
 #include <string>
@@ -59,7 +60,7 @@ namespace seiche
                 const std::vector<FluidBody<dim>> &bodies,
                 const SceneMap<dim>               &map);
     void
-    count_files(const Scene<dim> &scene);
+    count_files(const Scene<dim> &scene, const CostModel &cost);
 
     bool                steps_are_least = false; ///< there may be many more
     double              point_memory    = 0.;    ///< of that [bytes]
