@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
 #include <seiche/postprocess/sensor_signal.h>
+#include <seiche/postprocess/statistics_table.h>
 #include <seiche/utilities/state_archive.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
-#include <limits>
 
 namespace seiche
 {
@@ -15,7 +15,6 @@ namespace seiche
 
   namespace
   {
-    constexpr double missing = std::numeric_limits<double>::quiet_NaN();
     // of the interval between samples: a step ends where it should up to this
     constexpr double slack = 1e-9;
   } // namespace
@@ -54,9 +53,9 @@ namespace seiche
 
   SensorSignal::SensorSignal(const SensorParameters &sensor)
     : parameters(sensor)
-    , last_time(missing)
-    , last_reading(missing)
-    , filtered(missing)
+    , last_time(StatisticsTable::missing)
+    , last_reading(StatisticsTable::missing)
+    , filtered(StatisticsTable::missing)
   {}
 
   std::vector<SensorSignal::Sample>

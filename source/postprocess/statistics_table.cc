@@ -117,7 +117,6 @@ namespace seiche
     index.clear();
     for (std::size_t c = 0; c < column_names.size(); ++c)
       index.emplace(column_names[c], c);
-    const double missing = std::numeric_limits<double>::quiet_NaN();
     row.assign(column_names.size(), missing);
     for (auto &column : kept)
       column.second.assign(filename.empty() ? rows : 0, missing);
@@ -157,7 +156,7 @@ namespace seiche
     const char *const end  = next + line.size();
     for (std::size_t c = 0; c < row.size(); ++c)
       {
-        double     value     = std::numeric_limits<double>::quiet_NaN();
+        double     value     = missing;
         const auto field     = std::from_chars(next, end, value);
         const char separator = (c + 1 < row.size() ? ',' : '\n');
         if (field.ptr == end || *field.ptr != separator)

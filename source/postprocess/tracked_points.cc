@@ -11,11 +11,6 @@ namespace seiche
 {
   using namespace dealii;
 
-  namespace
-  {
-    constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-  } // namespace
-
   template <int dim>
   void
   TrackedPointParameters<dim>::add_parameters(ParameterHandler &prm)
@@ -135,11 +130,11 @@ namespace seiche
           start_radius[t] = radius;
         const auto columns = tracks[t].columns();
         for (unsigned int d = 0; d < dim; ++d)
-          statistics.set(columns[d], exists ? x[d] : missing);
+          statistics.set(columns[d], exists ? x[d] : StatisticsTable::missing);
         statistics.set(columns[dim],
                        exists && start_radius[t] > 0. ?
                          radius / start_radius[t] :
-                         missing);
+                         StatisticsTable::missing);
       }
   }
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ namespace seiche
   class StatisticsTable
   {
   public:
+    /// What set() takes for a value that does not exist at this time.
+    static constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
     /// File to write; empty: keep values only (tests). Ranks that do not
     /// write only read the file, in save_or_load().
     explicit StatisticsTable(const std::string &filename,
