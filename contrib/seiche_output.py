@@ -139,7 +139,9 @@ class Run:
         frames = self.frames("walls")
         past = [path for at, path in frames if at <= time + 1e-9 * max(1.0, abs(time))]
         if past:
-            return Walls.of_frame(read_frame(past[-1]), self.dim)
+            walls = Walls.of_frame(read_frame(past[-1]), self.dim)
+            seams = {(d, side) for d in self.periodic() for side in (0, 1)}
+            return walls._replace(open_sides=walls.open_sides | seams)
         lower, upper = self.numbers("Grid/Lower corner"), self.numbers("Grid/Upper corner")
         if not lower or len(lower) != len(upper):
             return None
@@ -147,14 +149,20 @@ class Run:
         corners = [[self.numbers(n % "Lower"), self.numbers(n % "Upper")] for n in names]
         return Walls(numpy.array(lower), numpy.array(upper), numpy.array(corners), frozenset())
 
+    def periodic(self):
+        """Directions whose sides are periodic."""
+        sides = ("Left", "Bottom") if self.dim == 2 else ("Left", "Front", "Bottom")
+        return [d for d, side in enumerate(sides)
+                if self.parameter("Walls/" + side).split()[:1] == ["periodic"]]
+
     @property
     def dim(self):
         return int(self.parameter("Dimension", "2") or 2)
 
 
 class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides")):
-    """Corners of the box [dim] and of the obstacles [n, 2, dim] [m]; open sides as
-    (direction, 0 lower or 1 upper)."""
+    """Corners of the box [dim] and of the obstacles [n, 2, dim] [m]; open sides, and
+    those that are periodic, as (direction, 0 lower or 1 upper)."""
 
     @staticmethod
     def of_frame(frame, dim):

@@ -8,30 +8,29 @@ from seiche_stage import make_stage
 
 NUMBER = {2: 6, 3: 4}  # of times on a page, by the dimension
 FEWEST = 4  # rather than leaving out the end of the run
-WIDTH = 12.0  # [inches]
-PIXELS = 1300
+HOLE = 0.1  # an empty place on the page is as bad as missing this share of the run
+WIDTH, HEIGHT = 9.0, 7.5  # of a page at most [inches]
+BAR, TITLE = 1.3, 0.55  # width of the colour bar, height of a panel's title [inches]
+DPI = 150
 
 
 def equally_spaced(frames, number):
     """At most `number` frames [(time, file)] with equal steps of time between them,
-    from the first on and as near to the last as that allows."""
+    from the first on and as near to the last as that allows, rather four or six than
+    five, which leave a hole on the page."""
     if len(frames) <= 2:
         return list(frames)
-    times = numpy.array([time for time, _ in frames])
-    interval = float(numpy.median(numpy.diff(times)))
-    index = numpy.rint((times - times[0]) / interval).astype(int)
-    by_index = {}
-    for i, frame, time in zip(index, frames, times):
-        if abs(time - times[0] - i * interval) < 0.3 * interval:
-            by_index.setdefault(i, frame)
-    last = max(by_index)
+    first, last_but_one, end = frames[0][0], frames[-2][0], frames[-1][0]
+    # frames come with the first step after their time, the last one with the end
+    interval = (last_but_one - first) / (len(frames) - 2)
+    last = int((end - first) / interval + 0.3)
     best = None
     for n in range(min(number, last + 1), min(FEWEST, last + 1, number) - 1, -1):
         step = max(1, last // max(1, n - 1))
-        chosen = [by_index[i] for i in range(0, (n - 1) * step + 1, step) if i in by_index]
-        missed = last - (n - 1) * step
-        if best is None or missed < best[0]:
-            best = missed, chosen
+        chosen = nearest(frames, first + interval * step * numpy.arange(n))
+        cost = (last - (n - 1) * step) / last + HOLE * (n == 5)
+        if best is None or cost < best[0]:
+            best = cost, chosen
     return best[1]
 
 
@@ -40,20 +39,26 @@ def nearest(frames, times):
     return [min(frames, key=lambda frame: abs(frame[0] - time)) for time in times]
 
 
-def columns_for(number, ratio):
-    """Panels beside each other, so that they can be read."""
-    if number == 1 or ratio < 0.12:
-        return 1
-    return 3 if ratio > 0.7 and number > 4 else 2
+def arrangement(number, ratio):
+    """Columns of panels, height over width, that make these the widest on a page that
+    they fill, and that width [inches]."""
+    def width(across):
+        rows = -(-number // across)
+        return min((WIDTH - BAR) / across, (HEIGHT / rows - TITLE) / ratio)
+
+    def filled(across):
+        return number / (across * -(-number // across))
+
+    across = max(range(1, number + 1), key=lambda n: width(n) * filled(n))
+    return across, width(across)
 
 
 def page(stage, number):
     """Figure and axes for so many panels."""
-    across = columns_for(number, stage.ratio)
+    across, width = arrangement(number, stage.ratio)
     rows = -(-number // across)
-    width = (WIDTH - 1.3) / across
     figure, axes = plt.subplots(
-        rows, across, figsize=(WIDTH, rows * (width * stage.ratio + 0.55) + 0.2),
+        rows, across, figsize=(across * width + BAR, rows * (width * stage.ratio + TITLE) + 0.2),
         squeeze=False, layout="compressed")
     for unused in axes.flat[number:]:
         unused.set_visible(False)
@@ -68,7 +73,7 @@ def snapshots(run, path, name="pressure", times=(), scene=None, **options):
         return False
     chosen = nearest(frames, times) if len(times) else equally_spaced(frames, NUMBER[run.dim])
     stage = make_stage(run, frames, name, **options)
-    stage.width = PIXELS // columns_for(len(chosen), stage.ratio)
+    stage.width = int(DPI * arrangement(len(chosen), stage.ratio)[1])
     figure, all_axes = page(stage, len(chosen))
     for axes, (time, file) in zip(all_axes.flat, chosen):
         stage.draw(axes, stage.load(time, file))
@@ -76,6 +81,6 @@ def snapshots(run, path, name="pressure", times=(), scene=None, **options):
         if scene and hasattr(scene, "overlay_snapshot"):
             scene.overlay_snapshot(axes, time)
     stage.colour_bar(figure, all_axes)
-    figure.savefig(path, dpi=130, bbox_inches="tight")
+    figure.savefig(path, dpi=DPI, bbox_inches="tight")
     plt.close(figure)
     return True

@@ -30,6 +30,8 @@ SOLID = "#8b8b8b"
 SAMPLED = 20  # frames that limits and extents are taken from
 VIEW = (-0.8, -1.6, 1.0)  # direction to the eye, 3D
 THICKNESS = 0.02  # of a drawn wall over the longest side of the picture
+SILENT = 1e-9  # [Pa] round-off, not a pressure
+TICKS = 14  # labels along the width of a picture, 3D
 BALL = 1.25  # drawn radius of a drop over half the edge of its point
 
 # time [s], points (read_frame), their water, Walls, whether there is a pressure
@@ -70,6 +72,8 @@ class Stage:
         # spray has the greatest values; it must not take the whole scale
         limits = numpy.array(limits or [(0, 1)])
         self.limits = min(0.0, limits[:, 0].min()), max(limits[:, 1].max(), 1e-12)
+        if name == "pressure" and abs(limits).max() < SILENT:
+            self.name = "plain"
         at_times = [run.walls_at(time) for time, _ in sampled(frames, SAMPLED)]
         self.box = (numpy.min([w.lower for w in at_times], axis=0),
                     numpy.max([w.upper for w in at_times], axis=0))
@@ -132,6 +136,8 @@ class Stage2D(Stage):
         for low_corner, high_corner in run.walls_at(0).obstacles:  # none cut off
             self.high = numpy.maximum(self.high, numpy.minimum(high_corner + 0.5 * margin, self.box[1]))
             self.low = numpy.minimum(self.low, numpy.maximum(low_corner - 0.5 * margin, self.box[0]))
+        for d in run.periodic():  # what lies beyond is shown at the other side
+            self.low[d], self.high[d] = self.box[0][d], self.box[1][d]
         self.ratio = (self.high[1] - self.low[1]) / (self.high[0] - self.low[0])
 
     def prepare(self, axes):
@@ -233,10 +239,12 @@ class Stage3D(Stage):
         view, image = self.image(frame)
         ticks = {}
         for d in range(3):
-            places = MaxNLocator(5 if d < 2 else 3).tick_values(self.low[d], self.high[d])
+            length = (self.high[d] - self.low[d]) * numpy.linalg.norm(view.axes[:2, d])
+            number = min(5 if d < 2 else 3, int(TICKS * length / numpy.ptp(view.extent[:2])))
+            places = MaxNLocator(number).tick_values(self.low[d], self.high[d]) if number > 1 else []
             slack = 1e-6 * (self.high[d] - self.low[d])
             ticks[d] = [p for p in places if self.low[d] - slack <= p <= self.high[d] + slack
-                        and (d < 2 or p > self.low[d] + slack)]
+                        and (d < 2 or p > self.low[d] + slack)] or [self.high[d]]
         view.draw(axes, image, ticks)
         view.draw_rim(axes, view.lower, view.upper)
         axes.set_title("t = %.3f s" % frame.time, fontsize=10)

@@ -279,10 +279,10 @@ class View:
                 at[d] = place
                 p = self.project(at)[:2]
                 axes.plot(*zip(p, p + 0.25 * away * side), color="0.35", lw=0.6, clip_on=False)
-                axes.annotate("%g" % place, p + 0.25 * away * side, 4 * side, fontsize=7,
+                axes.annotate("%.3g" % place, p + 0.25 * away * side, 4 * side, fontsize=8,
                               textcoords="offset points", annotation_clip=False, **anchor)
             axes.annotate("%s [m]" % "xyz"[d], self.project(middle)[:2] + 0.25 * away * side,
-                          26 * side, fontsize=8, textcoords="offset points",
+                          28 * side, fontsize=9, textcoords="offset points",
                           annotation_clip=False, **anchor)
         axes.set_axis_off()
 

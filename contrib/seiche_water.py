@@ -37,9 +37,11 @@ def water_of(run, time, points):
     cut cells or frames of the grid, where the points fill the space; their frame."""
     path = run.frame_at("grid", time)
     frame = read_frame(path) if path else {}
+    walls = run.walls_at(time)
     if LEVEL in frame and numpy.any(frame[LEVEL] < 0):
-        return Water.of_grid(frame, run.dim)
-    return Water.of_points(points, run.walls_at(time), run.dim)
+        seams = {d: (walls.lower[d], walls.upper[d]) for d in run.periodic()}
+        return Water.of_grid(frame, run.dim, seams)
+    return Water.of_points(points, walls, run.dim)
 
 
 def deposit(places, sizes, lines, weights):
@@ -97,13 +99,32 @@ def lattice_cells(lines, shape):
     return nodes[numbers], numbers
 
 
+def with_images(start, seams):
+    """Numbers of the cells [n, 2^dim, dim] and, behind them, of those that lie at a seam,
+    {direction: (lower, upper)} [m], once more for their images beyond the other side;
+    how far these are away [m]."""
+    number, shift = numpy.arange(len(start)), numpy.zeros((len(start), start.shape[2]))
+    for d, (lower, upper) in seams.items():
+        place = start[number, :, d] + shift[:, None, d]
+        near = 1e-3 * numpy.ptp(place, axis=1).min()
+        numbers, shifts = [number], [shift]
+        for side, way in ((lower, upper - lower), (upper, lower - upper)):
+            beside = (abs(place - side) < near).any(axis=1)
+            numbers.append(number[beside])
+            shifts.append(shift[beside] + way * numpy.eye(start.shape[2])[d])
+        number, shift = numpy.concatenate(numbers), numpy.concatenate(shifts)
+    return number, shift
+
+
 class Water:
     """Cells with a level at their corners, and fields to colour by."""
 
-    def __init__(self, start, displacement, level, fields):
+    def __init__(self, start, displacement, level, fields, own=None):
         """Corners [n, 2^dim, dim] at the start of the step and how far they move [m],
-        level [n, 2^dim] [cells]; fields: name -> values [n, 2^dim] or vectors."""
+        level [n, 2^dim] [cells]; fields: name -> values [n, 2^dim] or vectors. Cells
+        behind the first `own` are images of others."""
         self.dim = start.shape[2]
+        self.own = len(start) if own is None else own
         self.start, self.displacement, self.level = start, displacement, level
         self.corners = start + displacement
         self.values = fields
@@ -111,7 +132,7 @@ class Water:
         self._make_finder()
 
     @staticmethod
-    def of_grid(frame, dim):
+    def of_grid(frame, dim, seams):
         cells = frame["cells"][:, VTK_ORDER[dim]]
 
         def values(name):
@@ -119,9 +140,12 @@ class Water:
                 return field(frame, name)[cells][:, :, :dim].astype(float)
             return scalar(frame, name)[cells].astype(float)
 
-        start = frame["points"][cells][:, :, :dim].astype(float)
+        own = len(cells)
+        number, shift = with_images(frame["points"][cells][:, :, :dim].astype(float), seams)
+        cells = cells[number]
+        start = frame["points"][cells][:, :, :dim].astype(float) + shift[:, None]
         displacement = field(frame, "displacement")[cells][:, :, :dim].astype(float)
-        return Water(start, displacement, frame[LEVEL][cells].astype(float), values)
+        return Water(start, displacement, frame[LEVEL][cells].astype(float), values, own)
 
     @staticmethod
     def of_points(frame, walls, dim):
@@ -168,7 +192,7 @@ class Water:
                      lambda name: values(name)[kept])
 
     def triangles(self, name):
-        """In 2D: corners [n, 3, 2] [m] and values [n, 3] there."""
+        """In 2D: corners [n, 3, 2] [m] and values [n, 3] there; beyond the seams also."""
         wet = (self.level < 0).any(axis=1)
         columns = numpy.dstack([self.corners, self.values(name)])[wet]
         clipped = clip_triangles(*fans(columns, self.level[wet]))
@@ -198,7 +222,8 @@ class Water:
         """What is seen from outside, the free surface and the wetted walls: corners
         [n, 3, 3], normals [n, 3, 3] and values [n, 3]."""
         columns = numpy.dstack([self.corners, self.values(name)])
-        cut = (self.level.min(axis=1) < 0) & (self.level.max(axis=1) >= 0)
+        real = numpy.arange(len(self.level)) < self.own
+        cut = real & (self.level.min(axis=1) < 0) & (self.level.max(axis=1) >= 0)
         weights = tetrahedra()
         split = numpy.einsum("tvc,nck->ntvk", weights, columns[cut]).reshape(-1, 4, 4)
         level = numpy.einsum("tvc,nc->ntv", weights, self.level[cut]).reshape(-1, 4)
@@ -207,7 +232,8 @@ class Water:
         faces, face_normals = [surface], [normals]
         for d, side in itertools.product(range(3), (0, 1)):
             on_face = [v for v in range(8) if v >> d & 1 == side]
-            chosen = self._on_wall(walls, d, side, on_face) & (self.level[:, on_face].min(axis=1) < 0)
+            wet = self.level[:, on_face].min(axis=1) < 0
+            chosen = real & wet & self._on_wall(walls, d, side, on_face)
             face = clip_triangles(*fans(columns[chosen][:, on_face], self.level[chosen][:, on_face]))
             faces.append(face)
             outwards = numpy.zeros((len(face), 3, 3))
