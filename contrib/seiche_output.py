@@ -139,21 +139,27 @@ class Run:
         frames = self.frames("walls")
         past = [path for at, path in frames if at <= time + 1e-9 * max(1.0, abs(time))]
         if past:
-            walls = Walls.of_frame(read_frame(past[-1]), self.dim)
-            seams = {(d, side) for d in self.periodic() for side in (0, 1)}
-            return walls._replace(open_sides=walls.open_sides | seams)
+            return Walls.of_frame(read_frame(past[-1]), self.dim)
         lower, upper = self.numbers("Grid/Lower corner"), self.numbers("Grid/Upper corner")
         if not lower or len(lower) != len(upper):
             return None
         names = ["Obstacle %s/%%s corner" % name for name in self.instances("Obstacle")]
         corners = [[self.numbers(n % "Lower"), self.numbers(n % "Upper")] for n in names]
-        return Walls(numpy.array(lower), numpy.array(upper), numpy.array(corners), frozenset())
+        return Walls(numpy.array(lower), numpy.array(upper), numpy.array(corners),
+                     self.sides("open", "periodic"))
+
+    def sides(self, *conditions):
+        """Sides of the box with one of these conditions, as (direction, 0 lower or 1
+        upper)."""
+        pairs = [("Left", "Right"), ("Front", "Back"), ("Bottom", "Top")]
+        if self.dim == 2:
+            del pairs[1]
+        return frozenset((d, side) for d, pair in enumerate(pairs) for side in (0, 1)
+                         if self.parameter("Walls/" + pair[side]) in conditions)
 
     def periodic(self):
         """Directions whose sides are periodic."""
-        sides = ("Left", "Bottom") if self.dim == 2 else ("Left", "Front", "Bottom")
-        return [d for d, side in enumerate(sides)
-                if self.parameter("Walls/" + side).split()[:1] == ["periodic"]]
+        return sorted(d for d, side in self.sides("periodic") if side == 0)
 
     @property
     def dim(self):
@@ -161,8 +167,8 @@ class Run:
 
 
 class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides")):
-    """Corners of the box [dim] and of the obstacles [n, 2, dim] [m]; open sides, and
-    those that are periodic, as (direction, 0 lower or 1 upper)."""
+    """Corners of the box [dim] and of the obstacles [n, 2, dim] [m]; sides without a
+    wall, open or periodic, as (direction, 0 lower or 1 upper)."""
 
     @staticmethod
     def of_frame(frame, dim):

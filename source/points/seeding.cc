@@ -313,9 +313,7 @@ namespace seiche
                                                   points.communicator) >=
                         BodyPieces<dim>::light,
                       bodies[b].path("Shape"),
-                      "the body holds no material point: it is smaller than "
-                      "the spacing of the points, or it lies inside an "
-                      "obstacle or an earlier body.");
+                      BodyPieces<dim>::message_if_empty);
         result.bodies.push_back(
           {bodies[b].name,
            dealii::Utilities::MPI::sum(seeder.n_points, points.communicator),

@@ -109,8 +109,9 @@ namespace seiche
     for (const Point<dim> &x : places(grid))
       input.require(holds_fluid(x, grid),
                     section + "/Diameter",
-                    "the sensor reaches beyond the wall that it lies in; "
-                    "choose a smaller diameter or move it.");
+                    "the sensor reaches beyond the wall that it lies in, or "
+                    "across a periodic side; choose a smaller diameter or move "
+                    "it.");
     sensor.check(input, section);
   }
 

@@ -20,7 +20,7 @@ namespace seiche
              const BoundingBox<dim>     &box,
              const unsigned int          face,
              const unsigned int          part,
-             const bool                  is_open)
+             const bool                  is_wall)
     {
       DataOutBase::Patch<dim - 1, dim> patch;
       patch.patch_index    = walls.patches.size();
@@ -32,10 +32,17 @@ namespace seiche
           {
             patch.vertices[next] = box.vertex(v);
             patch.data(0, next)  = part;
-            patch.data(1, next)  = is_open;
+            patch.data(1, next)  = is_wall ? 0. : 1.;
             ++next;
           }
       walls.patches.push_back(patch);
+    }
+
+    bool
+    has_wall(const WallCondition condition)
+    {
+      return condition != WallCondition::open &&
+             condition != WallCondition::periodic;
     }
 
     template <int dim>
@@ -72,18 +79,14 @@ namespace seiche
     if (is_first_rank)
       for (const unsigned int face : GeometryInfo<dim>::face_indices())
         {
-          add_face(walls,
-                   view.box,
-                   face,
-                   0,
-                   parameters.walls[face] == WallCondition::open);
+          add_face(walls, view.box, face, 0, has_wall(parameters.walls[face]));
           for (unsigned int i = 0; i < parameters.obstacles.size(); ++i)
             add_face(walls,
                      BoundingBox<dim>({parameters.obstacles[i].lower_corner,
                                        parameters.obstacles[i].upper_corner}),
                      face,
                      i + 1,
-                     /*is_open=*/false);
+                     /*is_wall=*/true);
         }
     series.write_vtu(view.time, walls);
   }

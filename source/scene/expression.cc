@@ -99,11 +99,14 @@ namespace seiche
             here.path,
             fmt::format("table {} has rows from {:.6g} s to {:.6g} s and is "
                         "asked for {:.6g} s: give it more rows, or set an "
-                        "earlier Time/End time.",
+                        "earlier Time/End time; to ask for some times only "
+                        "write (t < 1 ? 0 : {}(t)), as if() computes both "
+                        "values.",
                         here.name,
                         table.first_time(),
                         table.last_time(),
-                        t));
+                        t,
+                        here.name));
         return std::isfinite(t) ? table.value(t) : t;
       }
     };

@@ -26,16 +26,19 @@ namespace seiche
 
 
 
-    /// Every interval cut into equal parts not longer than @p largest.
+    /// Every interval cut into equal parts not longer than @p largest, at
+    /// least @p fewest of them.
     std::vector<double>
-    subdivided(const std::vector<double> &places, const double largest)
+    subdivided(const std::vector<double> &places,
+               const double               largest,
+               const double               fewest)
     {
       std::vector<double> result = {places.front()};
       for (std::size_t i = 0; i + 1 < places.size(); ++i)
         {
           const double       length = places[i + 1] - places[i];
           const unsigned int n =
-            std::max(1., std::ceil(length / largest - 1e-6));
+            std::max(fewest, std::ceil(length / largest - 1e-6));
           for (unsigned int k = 1; k <= n; ++k)
             result.push_back(places[i] + length * k / n);
         }
@@ -87,25 +90,36 @@ namespace seiche
                             const std::vector<FluidBody<dim>> &bodies,
                             const unsigned int                 per_direction)
   {
+    // a body between two cuts is seen by pieces of its own size
+    constexpr double fewest = (dim == 2 ? 8. : 3.);
     for (unsigned int d = 0; d < dim; ++d)
       {
         const double lower = grid.lower_corner[d], upper = grid.upper_corner[d];
-        std::vector<double> places;
-        for (const auto &obstacle : grid.obstacles)
-          places.insert(places.end(),
-                        {obstacle.lower_corner[d], obstacle.upper_corner[d]});
-        for (const GridSegment &segment : make_segments(grid, d))
-          places.push_back(segment.end);
+        std::vector<double> of_bodies, of_all;
         for (const auto &body : bodies)
           {
             const auto box = body.region->bounding_box();
-            places.insert(places.end(),
-                          {box.lower_bound(d), box.upper_bound(d)});
+            of_bodies.insert(of_bodies.end(),
+                             {box.lower_bound(d), box.upper_bound(d)});
           }
-        cuts[d] = distinct(places, lower, upper);
-        if (cuts[d].size() > per_direction)
-          cuts[d] = {lower, upper}; // hundreds of obstacles: an estimate
-        cuts[d] = subdivided(cuts[d], (upper - lower) / per_direction);
+        of_all = of_bodies;
+        for (const auto &obstacle : grid.obstacles)
+          of_all.insert(of_all.end(),
+                        {obstacle.lower_corner[d], obstacle.upper_corner[d]});
+        for (const GridSegment &segment : make_segments(grid, d))
+          of_all.push_back(segment.end);
+        cuts[d] = {lower, upper};
+        // without obstacles, or without anything, where there are hundreds: an
+        // estimate
+        for (const auto &places : {of_all, of_bodies})
+          if (const auto lines = distinct(places, lower, upper);
+              cuts[d].size() == 2 && lines.size() <= per_direction)
+            cuts[d] = lines;
+        const double largest = (upper - lower) / per_direction;
+        cuts[d] =
+          subdivided(cuts[d],
+                     largest,
+                     cuts[d].size() * fewest < per_direction ? fewest : 1.);
       }
   }
 
@@ -164,6 +178,42 @@ namespace seiche
 
 
 
+  template <int dim>
+  SampledVolume
+  sampled_volume(const GridParameters<dim>         &grid,
+                 const std::vector<FluidBody<dim>> &bodies,
+                 const unsigned int                 body)
+  {
+    const double of_all  = 65536.; // samples, whatever the number of bodies
+    const unsigned int n = std::ceil(
+      std::pow(of_all / static_cast<double>(bodies.size()), 1. / dim));
+    const auto   box    = bodies[body].region->bounding_box();
+    unsigned int inside = 0, samples = 1;
+    for (unsigned int d = 0; d < dim; ++d)
+      samples *= n;
+    for (unsigned int i = 0; i < samples; ++i)
+      {
+        dealii::Point<dim> place; // in the unit box
+        unsigned int       rest = i;
+        for (unsigned int d = 0; d < dim; ++d, rest /= n)
+          place[d] = (rest % n + 0.5) / n;
+        inside += content_at(box.unit_to_real(place), grid, bodies) ==
+                  static_cast<int>(body);
+      }
+    const double of_one = box.volume() / samples;
+    return {inside * of_one, of_one};
+  }
+
+
+
+  template SampledVolume
+  sampled_volume(const GridParameters<2> &,
+                 const std::vector<FluidBody<2>> &,
+                 const unsigned int);
+  template SampledVolume
+  sampled_volume(const GridParameters<3> &,
+                 const std::vector<FluidBody<3>> &,
+                 const unsigned int);
   template class SceneMap<2>;
   template class SceneMap<3>;
 } // namespace seiche

@@ -60,19 +60,24 @@ namespace seiche
              std::isfinite(number);
     }
 
+    constexpr unsigned int last_column = 9999;
+
     /// The two columns, counted from 0.
     std::array<unsigned int, 2>
     column_numbers(const InputFile &input, const TimeTable::Entries &entries)
     {
       const auto columns =
         entry_values::numbers(input, entries.columns_path, entries.columns);
-      input.require(columns.size() == 2 && columns[0] >= 0. &&
-                      columns[1] >= 0. &&
-                      columns[0] == std::floor(columns[0]) &&
-                      columns[1] == std::floor(columns[1]),
+      const auto is_number_of_column = [](const double value) {
+        return value >= 0. && value <= last_column &&
+               value == std::floor(value);
+      };
+      input.require(columns.size() == 2 && is_number_of_column(columns[0]) &&
+                      is_number_of_column(columns[1]),
                     entries.columns_path,
-                    "two column numbers, 0 or larger, are needed: of the time "
-                    "and of the value.");
+                    fmt::format("two column numbers between 0 and {} are "
+                                "needed: of the time and of the value.",
+                                last_column));
       return {{static_cast<unsigned int>(columns[0]),
                static_cast<unsigned int>(columns[1])}};
     }

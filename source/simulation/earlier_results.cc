@@ -2,6 +2,7 @@
 #include <seiche/simulation/earlier_results.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/folder_name.h>
 
 #include <fmt/format.h>
 
@@ -22,22 +23,6 @@ namespace seiche
 
     /// Rows of statistics.csv before that of the first step: names, start.
     constexpr unsigned int rows_without_step = 2;
-
-    /// The folder itself, which may be named by a link or as "." or "x/".
-    std::string
-    proper_name(const std::string &directory)
-    {
-      fs::path path = directory;
-      if (!path.has_filename()) // "x/"
-        path = path.parent_path();
-      std::error_code error;
-      const bool      is_name = path.has_filename() && path.filename() != "." &&
-                           path.filename() != "..";
-      if (!is_name || fs::is_symlink(path, error))
-        if (const fs::path real = fs::weakly_canonical(path, error); !error)
-          path = real;
-      return path.string();
-    }
 
     /// What a name says of the results that it belongs to.
     enum class Evidence
@@ -89,7 +74,8 @@ namespace seiche
       return names;
     }
 
-    /// @p names: files_of_run().
+    /// A statistics.csv that no run has written counts as one with steps. @p
+    /// names: files_of_run().
     bool
     has_step(const std::string &folder, const std::vector<std::string> &names)
     {
@@ -103,7 +89,11 @@ namespace seiche
           std::ifstream statistics(folder + "/" + name);
           std::string   line;
           while (rows <= rows_without_step && std::getline(statistics, line))
-            ++rows;
+            {
+              if (rows == 0 && line.rfind("step,", 0) != 0)
+                return true;
+              ++rows;
+            }
         }
       return rows > rows_without_step;
     }
@@ -180,7 +170,7 @@ namespace seiche
 
 
   EarlierResults::EarlierResults(const std::string &output_directory)
-    : directory(proper_name(output_directory))
+    : directory(folder_name(output_directory))
     , moving(directory + ".moving")
     , old(directory + ".old")
     , older(directory + ".older")

@@ -2,7 +2,7 @@
 #include <seiche/parameters/declarations.h>
 #include <seiche/parameters/file_beside.h>
 #include <seiche/parameters/parameter_table.h>
-#include <seiche/simulation/earlier_results.h>
+#include <seiche/simulation/result_folder.h>
 #include <seiche/simulation/run.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene.h>
@@ -10,12 +10,9 @@
 #include <seiche/simulation/scene_plan.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/utilities/checked_file.h>
-#include <seiche/utilities/compatibility.h>
-#include <seiche/utilities/first_rank.h>
-#include <seiche/utilities/references.h>
+#include <seiche/utilities/folder_name.h>
 #include <seiche/utilities/stop_signal.h>
 #include <seiche/utilities/timer_tree.h>
-#include <seiche/utilities/version.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -32,23 +29,6 @@ namespace seiche
 {
   namespace
   {
-    void
-    write_parameters(const dealii::ParameterHandler &prm,
-                     const std::string              &directory)
-    {
-      checked_file::write(directory + "/parameters.prm",
-                          [&](std::ostream &stream) {
-                            prm.print_parameters(
-                              stream,
-                              dealii::ParameterHandler::PRM |
-                                dealii::ParameterHandler::KeepDeclarationOrder);
-                          });
-    }
-
-    // of every scene, beside what its options cite
-    constexpr const char *always_cited =
-      "sulsky1994 moreno eisenstat1996 bangerth2011 p4est2011";
-
     /// What a run would need and a picture of the scene; no grid, no points.
     template <int dim>
     void
@@ -57,7 +37,7 @@ namespace seiche
              const ScenePlan<dim>              &plan,
              const std::string                 &output)
     {
-      const std::string file = output + ".svg";
+      const std::string file = folder_name(output) + ".svg";
       std::string       picture;
       try
         {
@@ -101,55 +81,6 @@ namespace seiche
       return values;
     }
 
-    /// Make the folder of the results, if need be, and lock it; what a run
-    /// that was killed has moved comes back. Collective.
-    void
-    take_folder(const std::string    &directory,
-                DirectoryLock        &lock,
-                const EarlierResults &earlier,
-                const MPI_Comm        communicator)
-    {
-      try
-        {
-          on_first_rank(communicator,
-                        [&]() { checked_file::make_directory(directory); });
-        }
-      catch (const FileError &error)
-        {
-          throw InputError(error.what()); // the user named a wrong place
-        }
-      on_first_rank(communicator, [&]() {
-        lock.acquire(directory);
-        earlier.settle();
-      });
-    }
-
-    bool
-    folder_exists(const std::string &directory, const MPI_Comm communicator)
-    {
-      bool exists = false;
-      on_first_rank(communicator, [&]() {
-        exists = std::filesystem::is_directory(directory);
-      });
-      return dealii::Utilities::MPI::broadcast(communicator, exists);
-    }
-
-    /// Room for a new run, and what is known about the old one, for the user.
-    /// Collective.
-    void
-    clear_folder(const EarlierResults   &earlier,
-                 const CheckpointFolder &folder,
-                 RunReport              &report,
-                 const MPI_Comm          communicator)
-    {
-      on_first_rank(communicator, [&]() {
-        if (earlier.move_aside())
-          report.header("the results of an earlier run are now in " +
-                        earlier.place());
-        folder.clear();
-      });
-    }
-
     /// Simulate, each time anew after a checkpoint of every n steps, until the
     /// end or until the run is asked to stop. Collective.
     template <int dim>
@@ -163,22 +94,17 @@ namespace seiche
       const std::string &directory = command_line.output;
       const bool         restarts  = command_line.restart;
       TimerTree          timer;
-      DirectoryLock      lock;
-      RunReport        report({directory, scene.time.end_time, scene.test_log},
+      RunReport    report({directory, scene.time.end_time, scene.test_log},
                        communicator);
-      CheckpointFolder folder(directory,
-                              what_must_agree(scene, prm),
-                              communicator);
-
-      const EarlierResults earlier(directory);
+      ResultFolder folder(directory, what_must_agree(scene, prm), communicator);
 
       std::unique_ptr<Checkpoint> start;
       if (restarts)
         {
-          if (folder_exists(directory, communicator))
-            take_folder(directory, lock, earlier, communicator);
-          folder.require_any(earlier.hint());
-          start = folder.newest_usable(report);
+          if (folder.exists())
+            folder.take();
+          folder.checkpoints.require_any(folder.earlier.hint());
+          start = folder.checkpoints.newest_usable(report);
         }
       std::unique_ptr<Simulation<dim>> simulation;
       const auto                       set_up = [&]() {
@@ -191,7 +117,7 @@ namespace seiche
       // all input is checked once the simulation is set up; only then may
       // files of an earlier run be moved
       if (!restarts)
-        take_folder(directory, lock, earlier, communicator);
+        folder.take();
       report.header(simulation->description());
       if (!restarts)
         {
@@ -205,12 +131,8 @@ namespace seiche
       if (restarts)
         report.header("going on from " + start->filename);
       else
-        clear_folder(earlier, folder, report, communicator);
-      on_first_rank(communicator, [&]() {
-        write_parameters(prm, directory);
-        write_references(scene.input, directory);
-        report.open_files(restarts);
-      });
+        folder.clear(report);
+      folder.begin(scene.input, prm, report, restarts);
       try
         {
           stop_signal::install();
@@ -219,11 +141,13 @@ namespace seiche
                                       last_moment,
                                       communicator);
           RunOutcome         outcome;
-          while ((outcome = simulation->run(schedule, folder, earlier)) ==
-                 RunOutcome::restart)
+          while (
+            (outcome =
+               simulation->run(schedule, folder.checkpoints, folder.earlier)) ==
+            RunOutcome::restart)
             {
               simulation.reset();
-              start = folder.last();
+              start = folder.checkpoints.last();
               set_up();
             }
           if (outcome == RunOutcome::finished)
@@ -237,7 +161,7 @@ namespace seiche
         }
       catch (const std::exception &error)
         {
-          if (const std::string hint = earlier.hint(); !hint.empty())
+          if (const std::string hint = folder.earlier.hint(); !hint.empty())
             report.header(hint);
           report.fail(error.what());
           throw;
@@ -286,22 +210,6 @@ namespace seiche
         }
     }
     return simulate(command_line, prm, scene, communicator);
-  }
-
-
-
-  void
-  write_references(const InputFile &input, const std::string &directory)
-  {
-    input.cites(always_cited);
-    input.cites(compatibility::dealii_paper);
-    checked_file::write(directory + "/methods.bib", [&](std::ostream &stream) {
-      stream << "% What a text about this run should cite, from the options of "
-                "its scene.\n% Of the program itself: CITATION.cff. seiche "
-             << program_version << "\n";
-      for (const std::string &key : input.cited())
-        stream << '\n' << reference(key);
-    });
   }
 
 

@@ -65,7 +65,7 @@ namespace seiche
 
     /// Speed of the fluid if it had all the potential energy that it loses on
     /// its way to the lowest places of the domain: sqrt(g (H - H')) of a column
-    /// that becomes a pool [m/s].
+    /// that becomes a pool [m/s]. Air where the force is no number is no way.
     template <int dim>
     double
     speed_of_fall(const BodyForce<dim> &force, const SceneMap<dim> &map)
@@ -79,8 +79,18 @@ namespace seiche
       map.for_each([&](const auto &piece) {
         if (piece.content == SceneMap<dim>::obstacle)
           return;
-        const Tensor<1, dim> b         = force.value(piece.centre, /*t=*/0.);
-        const double         potential = -(b * (piece.centre - Point<dim>()));
+        Tensor<1, dim> b;
+        try
+          {
+            b = force.value(piece.centre, /*t=*/0.);
+          }
+        catch (const InputError &)
+          {
+            if (piece.content >= 0)
+              throw;
+            return;
+          }
+        const double potential = -(b * (piece.centre - Point<dim>()));
         places.push_back({potential, piece.volume});
         if (piece.content >= 0)
           {
@@ -110,24 +120,7 @@ namespace seiche
     const SceneMap<dim> map(scene.grid, bodies, pieces_per_direction<dim>);
     mesh = estimate_mesh(scene.grid, map);
 
-    const double per_cell =
-      Utilities::fixed_power<dim>(double(scene.seeding.per_direction));
-    points = mesh.full * per_cell;
-
-    std::vector<double> volumes(bodies.size(), 0.);
-    double              volume = 0.;
-    map.for_each([&](const auto &piece) {
-      if (piece.content < 0)
-        return;
-      volumes[piece.content] += piece.volume;
-      volume += piece.volume;
-    });
-    for (std::size_t b = 0; b < bodies.size(); ++b)
-      {
-        names_of_bodies.push_back(bodies[b].name);
-        points_of_bodies.push_back(volume > 0. ? points * volumes[b] / volume :
-                                                 0.);
-      }
+    count_points(scene, bodies, map);
     count_steps(scene, bodies, map);
 
     const CostModel cost(dim,
@@ -142,6 +135,33 @@ namespace seiche
 
   template <int dim>
   void
+  ScenePlan<dim>::count_points(const Scene<dim>                  &scene,
+                               const std::vector<FluidBody<dim>> &bodies,
+                               const SceneMap<dim>               &map)
+  {
+    double in_map = 0.;
+    map.for_each([&](const auto &piece) {
+      in_map += piece.content < 0 ? 0. : piece.volume;
+    });
+    const double per_direction = scene.seeding.per_direction;
+    const double per_volume =
+      Utilities::fixed_power<dim>(per_direction) *
+      (in_map > 0. ? mesh.full / in_map :
+                     mesh.cells / scene.grid.domain().volume());
+    const double of_smallest_point =
+      Utilities::fixed_power<dim>(smallest.edge / per_direction);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        const SampledVolume sampled = sampled_volume(scene.grid, bodies, b);
+        points += sampled.volume * per_volume;
+        if (sampled.volume + sampled.resolution <
+            BodyPieces<dim>::light * of_smallest_point)
+          empty_bodies.push_back(bodies[b].name);
+      }
+  }
+
+  template <int dim>
+  void
   ScenePlan<dim>::count_steps(const Scene<dim>                  &scene,
                               const std::vector<FluidBody<dim>> &bodies,
                               const SceneMap<dim>               &map)
@@ -151,7 +171,7 @@ namespace seiche
     steps_are_least = time.is_controlled();
     // of every scene: it shows velocities that are no numbers
     const double start = initial_speed(bodies, map);
-    if (time.control != "CFL")
+    if (!time.controls_courant_number())
       return;
     const TankMotion<dim> tank = scene.make_tank_motion();
     const BodyForce<dim>  force(scene.body_force, tank, scene.input);
@@ -194,12 +214,10 @@ namespace seiche
   ScenePlan<dim>::require_possible(const InputFile   &input,
                                    const unsigned int ranks) const
   {
-    for (std::size_t b = 0; b < points_of_bodies.size(); ++b)
-      input.require(points_of_bodies[b] >= BodyPieces<dim>::light,
-                    "Fluid body " + names_of_bodies[b] + "/Shape",
-                    "the body holds no material point: it is smaller than "
-                    "the spacing of the points, or it lies inside an "
-                    "obstacle or an earlier body.");
+    for (const std::string &name : empty_bodies)
+      input.require(false,
+                    "Fluid body " + name + "/Shape",
+                    BodyPieces<dim>::message_if_empty);
     const double available = physical_memory() * ranks;
     const bool   by_points = 2. * point_memory > memory;
     input.require(memory < available,

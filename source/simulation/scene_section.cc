@@ -37,7 +37,9 @@ namespace seiche
        {"unilateral", "stroke:#222;stroke-width:2;stroke-dasharray:8 3"}},
       {WallCondition::no_slip, {"no-slip", "stroke:#222;stroke-width:5"}},
       {WallCondition::open,
-       {"open", "stroke:#2a8f4f;stroke-width:2;stroke-dasharray:2 4"}}};
+       {"open", "stroke:#2a8f4f;stroke-width:2;stroke-dasharray:2 4"}},
+      {WallCondition::periodic,
+       {"periodic", "stroke:#8a8a8a;stroke-width:1;stroke-dasharray:1 4"}}};
     const LineStyle moving_wall = {"moving wall",
                                    "stroke:#e08020;stroke-width:5"};
 

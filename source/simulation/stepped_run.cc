@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/simulation/run.h>
+#include <seiche/simulation/result_folder.h>
+#include <seiche/simulation/scene_plan.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/simulation/stepped_run.h>
-#include <seiche/utilities/checked_file.h>
-#include <seiche/utilities/first_rank.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <stdexcept>
@@ -13,16 +13,20 @@ namespace seiche
 {
   namespace
   {
-    /// Whose check() has been called.
+    /// Whose check() has been called, and which this machine can compute.
     template <int dim>
     std::unique_ptr<Scene<dim>>
-    checked_scene(const InputFile &input)
+    checked_scene(const InputFile &input, dealii::ParameterHandler &prm)
     {
-      auto                     scene = std::make_unique<Scene<dim>>(input);
-      dealii::ParameterHandler prm;
+      auto scene = std::make_unique<Scene<dim>>(input);
+      InputFile::declare_dimension(prm);
       scene->add_parameters(prm);
       input.parse_into(prm);
       scene->check(input);
+      const ScenePlan<dim> plan(
+        *scene, make_fluid_bodies(scene->bodies, input, scene->grid.domain()));
+      plan.require_possible(
+        input, dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
       return scene;
     }
   } // namespace
@@ -32,32 +36,31 @@ namespace seiche
   {
     Implementation(SceneEntries entries, const std::string &directory)
       : input(entries.set("Dimension", std::to_string(dim)))
-      , scene(checked_scene<dim>(input))
+      , scene(checked_scene<dim>(input, prm))
       , report({directory,
                 scene->time.end_time,
                 scene->test_log,
                 /*quiet=*/true},
                MPI_COMM_WORLD)
+      , folder(directory, /*no checkpoints:*/ {}, MPI_COMM_WORLD)
       , simulation(*scene, directory, report, timer, /*start=*/nullptr)
     {
-      on_first_rank(MPI_COMM_WORLD, [&]() {
-        checked_file::make_directory(directory);
-        lock.acquire(directory);
-        write_references(input, directory);
-        report.open_files();
-      });
+      folder.take();
       report.header(simulation.description());
+      folder.clear(report);
+      folder.begin(input, prm, report, /*continues=*/false);
       for (const std::string &text : input.without_effect())
         report.warn(text);
       simulation.begin();
     }
 
     const InputFile                   input;
+    dealii::ParameterHandler          prm;
     const std::unique_ptr<Scene<dim>> scene;
     TimerTree                         timer;
     RunReport                         report;
+    ResultFolder                      folder;
     Simulation<dim>                   simulation;
-    DirectoryLock                     lock;
   };
 
   template <int dim>
@@ -74,6 +77,8 @@ namespace seiche
   SteppedRun<dim>::step()
   {
     Simulation<dim> &simulation = implementation->simulation;
+    if (simulation.finished())
+      throw std::logic_error("SteppedRun::step() after finished()");
     simulation.advance([]() { return false; });
     if (simulation.finished())
       simulation.finish();

@@ -77,6 +77,14 @@ def moved(make, folder, ranks):
     text = poor.run(parts, code=4)
     assert "not a folder that a run has moved results to" in text, text
 
+    # somebody else's file of that name is not a run without a step
+    other = f"{folder}/other"
+    os.mkdir(other)
+    pathlib.Path(other, "statistics.csv").write_text("my,header\n1,2\n")
+    text = poor.run(other)
+    assert f"now in {other}.old" in text, text
+    assert content(f"{other}.old") == {"statistics.csv": b"my,header\n1,2\n"}
+
 
 def names(make, folder, _):
     """x/, . and a link name the folder itself."""

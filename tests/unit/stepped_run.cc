@@ -64,10 +64,19 @@ namespace
                   << in_words(std::abs(front - 0.5 + 5. * t * t) < 0.05)
                   << ", points " << run.points().size() << std::endl;
       }
-    for (const char *name : {"statistics.csv", "summary.json", "methods.bib"})
+    for (const char *name :
+         {"statistics.csv", "summary.json", "methods.bib", "parameters.prm"})
       std::cout << name
                 << (std::filesystem::exists(folder + "/" + name) ? "" : " not")
                 << " written" << std::endl;
+    try
+      {
+        run.step();
+      }
+    catch (const std::logic_error &error)
+      {
+        std::cout << error.what() << std::endl;
+      }
     try
       {
         run.value("front");

@@ -27,6 +27,11 @@ namespace seiche
     /// that cuts less than 1/6 off a place cuts more off one beside it.
     static constexpr double light = 0.15;
 
+    /// Of a body whose pieces are all light.
+    static constexpr const char *message_if_empty =
+      "the body holds no material point: it is smaller than the spacing of the "
+      "points, or it lies inside an obstacle or an earlier body.";
+
     /// A cell of the finest lattice in an own or ghost cell.
     struct LatticeCell
     {

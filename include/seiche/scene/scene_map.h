@@ -18,9 +18,9 @@ namespace seiche
    * @brief What is where at the start: the domain cut into some thousands of
    * boxes, for estimates and pictures that must not cost a grid or points.
    *
-   * Faces of obstacles, of box-shaped bodies and of grid segments are lines of
-   * the map, so that volumes of boxes are exact; of other shapes a piece counts
-   * as what is in its middle.
+   * Faces of bodies' boxes, of obstacles and of grid segments are lines of the
+   * map, so that volumes of boxes are exact (of obstacles up to some dozens of
+   * them); of other shapes a piece counts as what is in its middle.
    */
   template <int dim>
   class SceneMap
@@ -73,6 +73,20 @@ namespace seiche
     std::array<std::vector<double>, dim> cuts;
     std::vector<int>                     contents;
   };
+
+  struct SampledVolume
+  {
+    double volume;     ///< [m^dim]
+    double resolution; ///< of one sample: what is smaller may be missed
+  };
+
+  /// Of a body without what obstacles and earlier bodies take, by some 10^5
+  /// samples in its own box: a small body in a large domain is seen. Local.
+  template <int dim>
+  SampledVolume
+  sampled_volume(const GridParameters<dim>         &grid,
+                 const std::vector<FluidBody<dim>> &bodies,
+                 const unsigned int                 body);
 } // namespace seiche
 
 #endif

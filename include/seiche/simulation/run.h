@@ -19,11 +19,6 @@ namespace seiche
   ExitCode
   run(const CommandLine &command_line, const InputFile &input);
 
-  /// Write methods.bib, the papers of the methods that the checked scene uses,
-  /// of the libraries and of the program. FileError. Local.
-  void
-  write_references(const InputFile &input, const std::string &directory);
-
   /// The manual of all entries (--print-parameters). Local.
   std::string
   parameter_text();

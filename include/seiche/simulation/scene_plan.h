@@ -27,8 +27,9 @@ namespace seiche
     ScenePlan(const Scene<dim>                  &scene,
               const std::vector<FluidBody<dim>> &bodies);
 
-    /// InputError unless each body has room for a point, the points can be
-    /// numbered and all fits into the memory of @p ranks machines.
+    /// InputError for bodies that surely hold no point (of others the seeding
+    /// will know) and for what does not fit into the memory of @p ranks
+    /// machines.
     void
     require_possible(const InputFile &input, const unsigned int ranks) const;
 
@@ -56,16 +57,19 @@ namespace seiche
 
   private:
     void
+    count_points(const Scene<dim>                  &scene,
+                 const std::vector<FluidBody<dim>> &bodies,
+                 const SceneMap<dim>               &map);
+    void
     count_steps(const Scene<dim>                  &scene,
                 const std::vector<FluidBody<dim>> &bodies,
                 const SceneMap<dim>               &map);
     void
     count_files(const Scene<dim> &scene, const CostModel &cost);
 
-    bool                steps_are_least = false; ///< there may be many more
-    double              point_memory    = 0.;    ///< of that [bytes]
-    std::vector<double> points_of_bodies;
-    std::vector<std::string> names_of_bodies;
+    bool   steps_are_least = false; ///< there may be many more
+    double point_memory    = 0.;    ///< of that [bytes]
+    std::vector<std::string> empty_bodies;
   };
 } // namespace seiche
 

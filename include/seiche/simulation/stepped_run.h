@@ -29,12 +29,13 @@ namespace seiche
   public:
     /// Check the scene, make grid and points, up to the first row of
     /// statistics. @p directory: of the results, made if need be; an earlier
-    /// run's are overwritten.
+    /// run's are moved to DIRECTORY.old.
     SteppedRun(const SceneEntries &scene, const std::string &directory);
     ~SteppedRun();
 
     /// From time() to the end of a step, whose size is that of the scene's
-    /// Time/Step. The step that reaches Time/End time writes the summary.
+    /// Time/Step. The step that reaches Time/End time writes the summary;
+    /// std::logic_error after it.
     void
     step();
 

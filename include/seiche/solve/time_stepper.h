@@ -50,6 +50,11 @@ namespace seiche
       return control != "fixed";
     }
     bool
+    controls_courant_number() const
+    {
+      return control == "CFL";
+    }
+    bool
     controls_error() const
     {
       return control == "error";
