@@ -31,7 +31,7 @@ SAMPLED = 20  # frames that limits and extents are taken from
 VIEW = (-0.8, -1.6, 1.0)  # direction to the eye, 3D
 THICKNESS = 0.02  # of a drawn wall over the longest side of the picture
 SILENT = 1e-9  # [Pa] round-off, not a pressure
-TICKS = 14  # labels along the width of a picture, 3D
+TICK = 45  # pixels along an edge from label to label at least, 3D
 BALL = 1.25  # drawn radius of a drop over half the edge of its point
 
 # time [s], points (read_frame), their water, Walls, whether there is a pressure
@@ -240,7 +240,7 @@ class Stage3D(Stage):
         ticks = {}
         for d in range(3):
             length = (self.high[d] - self.low[d]) * numpy.linalg.norm(view.axes[:2, d])
-            number = min(5 if d < 2 else 3, int(TICKS * length / numpy.ptp(view.extent[:2])))
+            number = min(5 if d < 2 else 3, int(self.width / TICK * length / numpy.ptp(view.extent[:2])))
             places = MaxNLocator(number).tick_values(self.low[d], self.high[d]) if number > 1 else []
             slack = 1e-6 * (self.high[d] - self.low[d])
             ticks[d] = [p for p in places if self.low[d] - slack <= p <= self.high[d] + slack

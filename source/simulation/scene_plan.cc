@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <limits>
 
@@ -110,6 +111,32 @@ namespace seiche
         }
       return volume > 0. ? std::sqrt(2. * std::max(energy, 0.) / volume) : 0.;
     }
+
+    /// Processor time on this machine of the body force at a point of the
+    /// quadrature in a step [s]: none of a constant one, otherwise that of its
+    /// expressions, in three residuals and a tangent.
+    template <int dim>
+    double
+    time_of_force(const BodyForce<dim> &force, const SceneMap<dim> &map)
+    {
+      constexpr unsigned int  in_a_step = 4, samples = 1000;
+      std::vector<Point<dim>> places;
+      if (!force.is_constant())
+        map.for_each([&](const auto &piece) {
+          if (piece.content >= 0 && places.size() < samples)
+            places.push_back(piece.centre);
+        });
+      if (places.empty())
+        return 0.;
+      // the first one compiles the expressions; all are evaluated
+      volatile double    sum   = force.value(places.front(), /*t=*/0.)[0];
+      const std::clock_t begin = std::clock();
+      for (const Point<dim> &place : places)
+        sum = sum + force.value(place, /*t=*/0.)[0];
+      const double seconds =
+        static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+      return in_a_step * seconds / static_cast<double>(places.size());
+    }
   } // namespace
 
   template <int dim>
@@ -121,13 +148,15 @@ namespace seiche
     mesh = estimate_mesh(scene.grid, map);
 
     count_points(scene, bodies, map);
-    count_steps(scene, bodies, map);
+    const TankMotion<dim> tank = scene.make_tank_motion();
+    const BodyForce<dim>  force(scene.body_force, tank, scene.input);
+    count_steps(scene, bodies, map, force);
 
     const CostModel cost(dim,
                          scene.formulation.degree,
                          scene.formulation.is_mixed());
-    seconds = cost.start(mesh.cells) + steps * cost.step(mesh.occupied, points);
-    memory  = cost.memory(mesh.cells, mesh.occupied, points);
+    count_seconds(scene, map, force, cost);
+    memory = cost.memory(mesh.cells, mesh.occupied, points);
     point_memory =
       cost.memory(0., 0., points) - cost.memory(0., 0., /*points=*/0.);
     count_files(scene, cost);
@@ -164,7 +193,8 @@ namespace seiche
   void
   ScenePlan<dim>::count_steps(const Scene<dim>                  &scene,
                               const std::vector<FluidBody<dim>> &bodies,
-                              const SceneMap<dim>               &map)
+                              const SceneMap<dim>               &map,
+                              const BodyForce<dim>              &force)
   {
     const TimeStepParameters &time = scene.time;
     steps           = std::ceil(std::max(0., time.end_time / time.step - 1e-9));
@@ -173,12 +203,29 @@ namespace seiche
     const double start = initial_speed(bodies, map);
     if (!time.controls_courant_number())
       return;
-    const TankMotion<dim> tank = scene.make_tank_motion();
-    const BodyForce<dim>  force(scene.body_force, tank, scene.input);
-    const double          speed = std::max(start, speed_of_fall(force, map));
+    const double speed = std::max(start, speed_of_fall(force, map));
     steps =
       std::max(steps,
                std::ceil(time.end_time * speed / (time.cfl * smallest.edge)));
+  }
+
+  template <int dim>
+  void
+  ScenePlan<dim>::count_seconds(const Scene<dim>     &scene,
+                                const SceneMap<dim>  &map,
+                                const BodyForce<dim> &force,
+                                const CostModel      &cost)
+  {
+    const double nu = scene.fluid.dynamic_viscosity / scene.fluid.density;
+    const double dt = scene.time.end_time / std::max(1., steps);
+    const double diffusion = nu * dt / (smallest.edge * smallest.edge);
+    const double gauss =
+      Utilities::fixed_power<dim>(scene.formulation.degree + 1.);
+    const double quadrature =
+      scene.quadrature.has_surface() ? gauss * mesh.occupied : points;
+    seconds = cost.start(mesh.cells) +
+              steps * (cost.step(mesh.occupied, points, diffusion) +
+                       quadrature * time_of_force(force, map));
   }
 
   template <int dim>

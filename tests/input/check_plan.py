@@ -3,9 +3,9 @@
 """Does --validate foretell what a run needs, fast, and refuse what cannot be?
 
 sizes: runs shipped scenes for a while; cells, points, steps, memory, files and
-processor time must be those of the plan within a factor of two. limits: grids
-and clouds of 10^8, too many steps, full disks, years. bodies: small ones. picture:
-the SVG.
+processor time must be those of the plan within a factor of two. dearer: what
+viscosity and formulas add. limits: grids and clouds of 10^8, too many steps,
+full disks, years. bodies: small ones. picture: the SVG.
 """
 
 import argparse
@@ -31,6 +31,15 @@ SCENES = [  # 2D and 3D, both forms, degree 2, an adaptive mesh, frames
     ("verification/compressible_column.prm", "Time/End time = 0.2"),
     ("verification/standing_wave_small_3d.prm", "Time/End time = 0.3"),
     ("benchmarks/marin_box/marin_box.prm", "Time/End time = 0.05"),
+    ("verification/manufactured_compressible.prm", "Time/End time = 0.1"),
+]
+
+# What is dearer than the water of the first one: viscosity, formulas of a force.
+USUAL = ("verification/standing_wave_small_3d.prm", "Time/End time = 0.3")
+DEARER = [
+    ("benchmarks/viscous_column_3d/viscous_column_3d.prm", "Time/End time = 0.5"),
+    ("verification/viscous_current.prm", "Time/End time = 5"),
+    ("verification/manufactured_compressible.prm",),
 ]
 
 BOX = """set Dimension = 3
@@ -124,6 +133,29 @@ def check_sizes(program, problems):
     print(f"processor time foretold over taken, all scenes: {share:.2f}")
     if not 0.5 <= share <= 2.:
         problems.append(f"processor time {share:.2f} of what was taken")
+
+
+def share_foretold(program, name, overrides):
+    """Processor time foretold over that taken."""
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        _, out, _, _ = run(program, PRM / name, overrides, folder, "--validate")
+        code, _, err, _ = run(program, PRM / name, overrides, folder)
+        if code:
+            raise RuntimeError(f"{name}: the run failed: {err}")
+        summary = json.loads((folder / "run/summary.json").read_text())
+        return plan_of(out)["seconds"] / summary["cpu_seconds"]
+
+
+def check_dearer(program, problems):
+    """Beside a usual run before each of them, for the cores may be shared, within a
+    factor of two."""
+    for name, *overrides in DEARER:
+        usual = share_foretold(program, USUAL[0], USUAL[1:])
+        share = share_foretold(program, name, overrides) / usual
+        print(f"{name}: {share:.2f} of the time taken foretold, beside a usual run")
+        if not 0.5 <= share <= 2.:
+            problems.append(f"{name}: {share:.2f} of the time taken foretold")
 
 
 def expect(problems, program, folder, overrides, code, *texts, body=BOX):
@@ -291,12 +323,12 @@ def check_picture(program, problems):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=pathlib.Path)
-    parser.add_argument("group", choices=["sizes", "limits", "bodies", "picture"])
+    checks = {"sizes": check_sizes, "dearer": check_dearer, "limits": check_limits,
+              "bodies": check_bodies, "picture": check_picture}
+    parser.add_argument("group", choices=checks)
     options = parser.parse_args()
     problems = []
-    check = {"sizes": check_sizes, "limits": check_limits, "bodies": check_bodies,
-             "picture": check_picture}[options.group]
-    check(str(options.program.resolve()), problems)
+    checks[options.group](str(options.program.resolve()), problems)
     for problem in problems:
         print("FAILED:", problem)
     return 1 if problems else 0

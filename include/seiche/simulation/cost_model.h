@@ -8,15 +8,20 @@ namespace seiche
    * @brief What a run costs, by a table of figures measured once.
    *
    * Linear in cells and points: the iterations of the solvers hardly grow
-   * (doc/scaling.md). Two Newton iterations a step are assumed.
+   * with them (doc/scaling.md). Two Newton iterations a step are assumed;
+   * what viscosity adds, see step().
    */
   struct CostModel
   {
     CostModel(const int dim, const unsigned int degree, const bool is_mixed);
 
-    /// Processor time of a step on this machine [s].
+    /// Processor time of a step on this machine [s]. @p diffusion is nu dt/h^2:
+    /// from about one on a step takes up to four Newton iterations, each with a
+    /// preconditioner of its own.
     double
-    step(const double occupied_cells, const double points) const;
+    step(const double occupied_cells,
+         const double points,
+         const double diffusion) const;
 
     /// Processor time of the start on this machine [s].
     double

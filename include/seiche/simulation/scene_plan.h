@@ -63,7 +63,13 @@ namespace seiche
     void
     count_steps(const Scene<dim>                  &scene,
                 const std::vector<FluidBody<dim>> &bodies,
-                const SceneMap<dim>               &map);
+                const SceneMap<dim>               &map,
+                const BodyForce<dim>              &force);
+    void
+    count_seconds(const Scene<dim>     &scene,
+                  const SceneMap<dim>  &map,
+                  const BodyForce<dim> &force,
+                  const CostModel      &cost);
     void
     count_files(const Scene<dim> &scene, const CostModel &cost);
 
