@@ -41,7 +41,8 @@ def water_of(run, time, points):
     if LEVEL in frame and numpy.any(frame[LEVEL] < 0):
         seams = {d: (walls.lower[d], walls.upper[d]) for d in run.periodic()}
         return Water.of_grid(frame, run.dim, seams)
-    return Water.of_points(points, walls, run.dim)
+    per_cell = run.numbers("Points/Per cell and direction")
+    return Water.of_points(points, walls, run.dim, max(1.0, 0.5 * sum(per_cell)))
 
 
 def deposit(places, sizes, lines, weights):
@@ -148,11 +149,12 @@ class Water:
         return Water(start, displacement, frame[LEVEL][cells].astype(float), values, own)
 
     @staticmethod
-    def of_points(frame, walls, dim):
-        """Cells about as wide as a point, full where points take more than half of
-        the room that the obstacles leave."""
+    def of_points(frame, walls, dim, wide):
+        """Cells `wide` times as wide as a point, half a cell of the run, for flow draws
+        rows of points apart; full where points take more than half of the room that the
+        obstacles leave."""
         x, sizes = frame["points"][:, :dim].astype(float), 2.0 * field(frame, "radius").astype(float)
-        width = max(float(numpy.percentile(sizes, 95)), (numpy.prod(numpy.ptp(x, axis=0)) / LARGEST)**(1 / dim))
+        width = max(wide * float(numpy.percentile(sizes, 95)), (numpy.prod(numpy.ptp(x, axis=0)) / LARGEST)**(1 / dim))
         lines = []
         for d in range(dim):
             low, high = walls.lower[d], walls.upper[d]
