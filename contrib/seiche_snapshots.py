@@ -23,7 +23,7 @@ def equally_spaced(frames, number):
     first, last_but_one, end = frames[0][0], frames[-2][0], frames[-1][0]
     # frames come with the first step after their time, the last one with the end
     interval = (last_but_one - first) / (len(frames) - 2)
-    last = int((end - first) / interval + 0.3)
+    last = int((end - first) / interval + 0.5)
     best = None
     for n in range(min(number, last + 1), min(FEWEST, last + 1, number) - 1, -1):
         step = max(1, last // max(1, n - 1))

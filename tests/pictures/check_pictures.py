@@ -121,14 +121,14 @@ def geometry(seiche, folder):
     sums = seiche_water.deposit(places, numpy.full(50, 0.1), lines, numpy.arange(50.0))
     assert numpy.isclose(sums.sum(), numpy.arange(50).sum())
 
-    # a lattice that the flow has drawn to 2.5 times its length shows no stripes
+    # a lattice that the flow has drawn to five times its length shows no stripes
     n, d = 60, 1 / 60
     lattice = numpy.stack(numpy.meshgrid(numpy.arange(n), numpy.arange(n)), axis=-1).reshape(-1, 2)
-    lattice = (lattice + 0.5) * d * (2.5, 0.4)
+    lattice = (lattice + 0.5) * d * (5, 0.2)
     frame = {"points": lattice, "radius [m]": numpy.full(n * n, 0.5 * d)}
-    box = Walls(numpy.zeros(2), numpy.array([3.0, 1.0]), numpy.zeros((0, 2, 2)), frozenset())
+    box = Walls(numpy.zeros(2), numpy.array([6.0, 1.0]), numpy.zeros((0, 2, 2)), frozenset())
     water = seiche_water.Water.of_points(frame, box, 2, wide=3.0)
-    inside = random.random((500, 2)) * (2.4, 0.3)
+    inside = random.random((500, 2)) * (4.8, 0.15)
     assert (water.sample(inside)[0] < 0).all(), water.sample(inside)[0].max()
 
     # each frame comes up to four tenths of an interval late, the last one in time
