@@ -12,7 +12,36 @@ namespace seiche
   namespace
   {
     constexpr double touches = 1e-12; // a face, up to round-off [cells]
-  }
+    constexpr double beside  = 1e-6;  // a face, in the next cell [cells]
+
+    /// A part of a box between lines of any mesh around its cell, whose levels
+    /// differ by one at most: it lies in one cell.
+    struct Piece
+    {
+      double middle; // in the unit cell
+      double share;  // of the box
+    };
+
+    /// The pieces of a part [PointBoxes::Part]; their number.
+    template <typename Part>
+    unsigned int
+    cut(const Part &part, const double edge, Piece (&pieces)[4])
+    {
+      unsigned int n   = 0;
+      const auto   add = [&](const double from, const double to) {
+        if (to > from)
+          pieces[n++] = {0.5 * (from + to), (to - from) / edge};
+      };
+      const auto halves = [&](const double from, const double to) {
+        add(from, part.side == 1 ? std::min(to, 0.5) : to);
+        if (part.side == 1)
+          add(std::max(from, 0.5), to);
+      };
+      halves(part.from, part.to);
+      halves(part.fold_from, part.fold_to);
+      return n;
+    }
+  } // namespace
 
   template <int dim>
   PointBoxes<dim>::PointBoxes(const Occupancy<dim> &grid_occupancy)
@@ -35,7 +64,8 @@ namespace seiche
       [edge](const unsigned int side, const double from, const double to) {
         const double share  = edge > 0. ? (to - from) / edge : 1.;
         const double middle = 0.5 * (from + to) + 1. - side;
-        return Part{side, {share * (1. - middle), share * middle}};
+        return Part{
+          side, {share * (1. - middle), share * middle}, from, to, 0., 0.};
       };
     const double lower = centre - 0.5 * edge, upper = lower + edge;
     if (lower >= -touches && upper <= 1. + touches)
@@ -47,7 +77,11 @@ namespace seiche
     const auto folded = [&](const Part &inside, const Part &beyond) {
       return Part{1,
                   {inside.hats[0] + beyond.hats[0],
-                   inside.hats[1] + beyond.hats[1]}};
+                   inside.hats[1] + beyond.hats[1]},
+                  inside.from,
+                  inside.to,
+                  beyond.from,
+                  beyond.to};
     };
     if (lower < 0. && is_wall(0))
       {
@@ -67,50 +101,84 @@ namespace seiche
 
   template <int dim>
   unsigned int
+  PointBoxes<dim>::find_touching(const unsigned int cell,
+                                 const Point<dim>  &unit) const
+  {
+    const auto &locator = occupancy.locator;
+    Point<dim>  place   = locator.lower_corner(cell);
+    for (unsigned int d = 0; d < dim; ++d)
+      place[d] +=
+        std::clamp(unit[d], -beside, 1. + beside) * locator.extent(cell)[d];
+    if (locator.holds(cell, place))
+      return cell;
+    const unsigned int found = locator.find(place, cell);
+    return found == locator.invalid ? cell : found;
+  }
+
+  template <int dim>
+  unsigned int
   PointBoxes<dim>::find_holder(const unsigned int cell,
                                const unsigned int side) const
   {
-    const auto &locator = occupancy.locator;
-    // of smaller cells only those that touch this one are ghosts
-    constexpr double near[] = {-0.25, 0.25, 1.25};
-    Point<dim>       place  = locator.lower_corner(cell);
+    const auto      &locator = occupancy.locator;
+    constexpr double near[]  = {-0.25, 0.25, 1.25};
+    Point<dim>       unit;
     for (unsigned int d = 0, rest = side; d < dim; ++d, rest /= 3)
-      place[d] += near[rest % 3] * locator.extent(cell)[d];
-    const unsigned int found =
-      locator.holds(cell, place) ? cell : locator.find(place, cell);
-    if (found == CellLocator<dim>::invalid)
-      return cell;
-    const double difference =
-      std::abs(locator.measure(found) - locator.measure(cell));
-    return difference < 1e-6 * locator.measure(cell) ? found : locator.invalid;
+      unit[d] = near[rest % 3];
+    const unsigned int found = find_touching(cell, unit);
+    for (unsigned int d = 0; d < dim; ++d)
+      if (std::abs(locator.extent(found)[d] - locator.extent(cell)[d]) >
+          1e-6 * locator.extent(cell)[d])
+        return locator.invalid;
+    return found;
   }
 
   template <int dim>
   void
   PointBoxes<dim>::add_elsewhere(const unsigned int               cell,
                                  const std::array<Part, dim>     &part,
+                                 const double                     edge,
                                  const double                     volume,
                                  typename Occupancy<dim>::Vector &sums) const
   {
-    using Shape         = TensorShape<dim, 1>;
-    const auto &locator = occupancy.locator;
-    double      content = volume;
-    Point<dim>  place   = locator.lower_corner(cell);
+    Piece        along[dim][4];
+    unsigned int n[dim], n_pieces = 1;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const double share  = part[d].hats[0] + part[d].hats[1];
-        const double middle = part[d].hats[1] / share - 1. + part[d].side;
-        place[d] += middle * locator.extent(cell)[d];
-        content *= share;
+        n[d] = cut(part[d], edge, along[d]);
+        n_pieces *= n[d];
       }
-    unsigned int holder = locator.find(place, cell);
-    if (holder == locator.invalid)
-      holder = cell;
-    Point<dim> unit = locator.to_unit(holder, locator.image(place, holder));
+    for (unsigned int i = 0; i < n_pieces; ++i)
+      {
+        double     content = volume;
+        Point<dim> unit;
+        for (unsigned int d = 0, rest = i; d < dim; rest /= n[d], ++d)
+          {
+            unit[d] = along[d][rest % n[d]].middle;
+            content *= along[d][rest % n[d]].share;
+          }
+        add_at(cell, unit, content, sums);
+      }
+  }
+
+  template <int dim>
+  void
+  PointBoxes<dim>::add_at(const unsigned int               cell,
+                          const Point<dim>                &unit,
+                          const double                     content,
+                          typename Occupancy<dim>::Vector &sums) const
+  {
+    using Shape         = TensorShape<dim, 1>;
+    const auto &locator = occupancy.locator;
+    Point<dim>  place   = locator.lower_corner(cell);
     for (unsigned int d = 0; d < dim; ++d)
-      unit[d] = std::clamp(unit[d], 0., 1.);
+      place[d] += unit[d] * locator.extent(cell)[d];
+    const unsigned int holder = find_touching(cell, unit);
+    Point<dim> inside = locator.to_unit(holder, locator.image(place, holder));
+    for (unsigned int d = 0; d < dim; ++d)
+      inside[d] = std::clamp(inside[d], 0., 1.);
     double N[Shape::n_nodes];
-    Shape::values(unit, N);
+    Shape::values(inside, N);
     for (double &value : N)
       value *= content;
     occupancy.add_vertex_values(holder, N, sums);
@@ -120,6 +188,7 @@ namespace seiche
   void
   PointBoxes<dim>::add_part(const unsigned int               cell,
                             const std::array<Part, dim>     &part,
+                            const double                     edge,
                             const double                     volume,
                             Integrals                       &integrals,
                             typename Occupancy<dim>::Vector &sums) const
@@ -136,7 +205,7 @@ namespace seiche
     const unsigned int holder = integrals.holder[side];
     if (holder == CellLocator<dim>::invalid)
       {
-        add_elsewhere(cell, part, volume, sums);
+        add_elsewhere(cell, part, edge, volume, sums);
         return;
       }
     double hats[dim][2];
@@ -210,7 +279,7 @@ namespace seiche
           {
             for (unsigned int d = 0, rest = i; d < dim; rest >>= n[d] - 1, ++d)
               part[d] = along[d][n[d] == 2 ? rest & 1u : 0];
-            add_part(cell, part, volume[p], integrals, sums);
+            add_part(cell, part, edge, volume[p], integrals, sums);
           }
       }
     for (unsigned int side = 0; side < n_sides; ++side)

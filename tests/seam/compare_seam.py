@@ -62,13 +62,6 @@ CASES = {
                                  ["Formulation/Element degree = 2",
                                   "Points/Per cell and direction = 4"],
                                  BLOCK_MOVED),
-    # later the runs of this flow differ by ranks also between walls
-    "block_adaptive_start": ("block_adaptive_2d", ["Time/End time = 0.1"],
-                             BLOCK_MOVED),
-    "block_adaptive_quadratic_start": (
-        "block_adaptive_2d", ["Formulation/Element degree = 2",
-                              "Points/Per cell and direction = 4",
-                              "Time/End time = 0.1"], BLOCK_MOVED),
     "block_3d": ("block_3d", [], BLOCK_3D_MOVED),
     "block_3d_quadratic": ("block_3d", ["Formulation/Element degree = 2",
                                         "Points/Per cell and direction = 3",

@@ -40,9 +40,11 @@ namespace seiche
     struct Part
     {
       unsigned int
-             side;    ///< this cell's: below, in, above the box's own: 0, 1, 2
-      double hats[2]; ///< mean of the lower and the upper hat, times the
-                      ///< part's share of the box [-]
+             side;     ///< this cell's: below, in, above the box's own: 0, 1, 2
+      double hats[2];  ///< mean of the lower and the upper hat, times the
+                       ///< part's share of the box [-]
+      double from, to; ///< in the unit cell of the box's own
+      double fold_from, fold_to; ///< what a wall folds back, or nothing
     };
 
     /// What the cell and those around it hold.
@@ -61,8 +63,15 @@ namespace seiche
            const double       edge,
            Part (&parts)[2]) const;
 
-    /// The cell that holds parts on a side: this one around the edge of an
-    /// obstacle, invalid if the mesh is finer or coarser there.
+    /// The cell that touches this one where a place of its unit cell is or
+    /// would be (cells beyond it may be unknown to this rank); this one around
+    /// the edge of an obstacle.
+    unsigned int
+    find_touching(const unsigned int        cell,
+                  const dealii::Point<dim> &unit) const;
+
+    /// The cell that holds parts on a side; invalid if cells have another size
+    /// there.
     unsigned int
     find_holder(const unsigned int cell, const unsigned int side) const;
 
@@ -70,16 +79,26 @@ namespace seiche
     void
     add_part(const unsigned int               cell,
              const std::array<Part, dim>     &part,
+             const double                     edge,
              const double                     volume,
              Integrals                       &integrals,
              typename Occupancy<dim>::Vector &sums) const;
 
-    /// Where the mesh is finer or coarser.
+    /// Where cells are smaller or larger: piece by piece, so that at a level
+    /// jump it is all the same which of two cells holds a point on their face.
     void
     add_elsewhere(const unsigned int               cell,
                   const std::array<Part, dim>     &part,
+                  const double                     edge,
                   const double                     volume,
                   typename Occupancy<dim>::Vector &sums) const;
+
+    /// Content at a place in the unit cell of @p cell.
+    void
+    add_at(const unsigned int               cell,
+           const dealii::Point<dim>        &unit,
+           const double                     content,
+           typename Occupancy<dim>::Vector &sums) const;
 
     const Occupancy<dim> &occupancy;
   };
