@@ -141,7 +141,7 @@ namespace seiche
   std::vector<std::string>
   ProbeParameters<dim>::reading_columns() const
   {
-    if (quantity == "pressure")
+    if (reads_pressure())
       return {"probe " + name + " pressure [Pa]"};
     std::vector<std::string> names;
     for (unsigned int d = 0; d < dim; ++d)
@@ -222,7 +222,7 @@ namespace seiche
     std::vector<double> result;
     for (unsigned int k = 0; k < probes.size(); ++k)
       {
-        const bool          scalar = probes[k].quantity == "pressure";
+        const bool          scalar = probes[k].reads_pressure();
         Tensor<1, dim>      sum;
         GridEvaluation<dim> here(view);
         for (const Point<dim> &place : places[k])
@@ -242,7 +242,7 @@ namespace seiche
         for (unsigned int c = 0; c < (scalar ? 1 : dim); ++c)
           result.push_back(sum[c] / places[k].size());
         if (scalar && view.step == 0) // there is none before the first step
-          result.back() = std::numeric_limits<double>::quiet_NaN();
+          result.back() = StatisticsTable::missing;
       }
     Utilities::MPI::sum(ArrayView<const double>(result.data(), result.size()),
                         communicator,
@@ -269,8 +269,7 @@ namespace seiche
             table.set(columns[c], values[c]);
           }
         record(k,
-               probes[k].quantity == "pressure" ? view.pressure_time :
-                                                  view.time,
+               probes[k].reads_pressure() ? view.pressure_time : view.time,
                values,
                statistics);
       }

@@ -36,6 +36,11 @@ namespace seiche
     add_parameters(dealii::ParameterHandler &prm);
     void
     check(const InputFile &input, const GridParameters<dim> &grid) const;
+    bool
+    reads_pressure() const
+    {
+      return quantity == "pressure";
+    }
     /// Those of the readings and, with a filter, those of the filtered ones.
     std::vector<std::string>
     columns() const;
