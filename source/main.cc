@@ -4,6 +4,7 @@
 #include <seiche/simulation/run.h>
 #include <seiche/simulation/self_test.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/failure_text.h>
 #include <seiche/utilities/printable.h>
 #include <seiche/utilities/waiting_rank.h>
 
@@ -14,7 +15,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <limits>
-#include <new>
 #include <string>
 #include <thread>
 
@@ -151,19 +151,12 @@ main(int argc, char **argv)
     {
       code = end_after_failure(error.what(), error.exit_code, failures, speaks);
     }
-  catch (const std::bad_alloc &)
-    {
-      code = end_after_failure(
-        "seiche: memory is exhausted; use larger cells, fewer points a cell or "
-        "more ranks.",
-        ExitCode::internal,
-        failures,
-        speaks);
-    }
   catch (const std::exception &error)
     {
-      code = end_after_failure(internal_error + error.what(),
-                               ExitCode::internal,
+      const bool exhausted = seiche::is_exhausted_memory(error);
+      code = end_after_failure((exhausted ? "seiche: " : internal_error) +
+                                 seiche::failure_text(error),
+                               exhausted ? ExitCode::files : ExitCode::internal,
                                failures,
                                speaks);
     }

@@ -3,6 +3,7 @@
 #include <seiche/postprocess/frame_series.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/failure_text.h>
 #include <seiche/utilities/state_archive.h>
 
 #include <deal.II/base/mpi.h>
@@ -59,7 +60,7 @@ namespace seiche
       }
     catch (const std::exception &error)
       {
-        failure = error.what();
+        failure = failure_text(error);
       }
     const unsigned int n = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int first_failed =

@@ -10,6 +10,7 @@
 #include <seiche/simulation/scene_plan.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/failure_text.h>
 #include <seiche/utilities/folder_name.h>
 #include <seiche/utilities/stop_signal.h>
 #include <seiche/utilities/timer_tree.h>
@@ -163,7 +164,7 @@ namespace seiche
         {
           if (const std::string hint = folder.earlier.hint(); !hint.empty())
             report.header(hint);
-          report.fail(error.what());
+          report.fail(failure_text(error));
           throw;
         }
       return ExitCode::stopped;

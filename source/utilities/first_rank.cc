@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/failure_text.h>
 #include <seiche/utilities/first_rank.h>
 
 #include <deal.II/base/mpi.h>
@@ -21,7 +22,7 @@ namespace seiche
         }
       catch (const std::exception &error)
         {
-          problem = error.what();
+          problem = failure_text(error);
         }
     problem = dealii::Utilities::MPI::broadcast(communicator, problem);
     if (!problem.empty())
