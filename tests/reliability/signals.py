@@ -19,7 +19,7 @@ import time
 
 from harness import (HANG, ROOT, SLOWEST, Account, Outcome, amount, arguments, scratch,
                      within_time)
-from runs import Program, checkpoints, descendants, kill
+from runs import Program, checkpoints, kill, ranks_of
 
 sys.path.insert(0, str(ROOT / "tests/ranks"))
 from compare_ranks import difference, read_columns  # noqa: E402
@@ -56,24 +56,13 @@ PHASES = {  # a test of the output folder: the phase has begun
 }
 
 
-def program_of(process, name):
-    """The process of the first rank, or nothing if it has not begun."""
-    for pid in descendants(process.pid):
-        try:
-            if os.path.basename(os.readlink(f"/proc/{pid}/exe")) == name:
-                return pid
-        except OSError:
-            pass
-    return None
-
-
 def interrupt(program, folder, name, times, reached):
     """Start, wait for the phase, send; the outcome and how many rows there were."""
     begin = time.monotonic()
     process = program.start(folder)
     target = None
     while process.poll() is None and time.monotonic() < begin + SLOWEST:
-        target = target or program_of(process, os.path.basename(program.command[0]))
+        target = target or next(iter(ranks_of(process, program.command[0])), None)
         if target and reached(folder):
             break
         time.sleep(0.0005)

@@ -3,23 +3,29 @@
 """Unusual surroundings: languages, names of folders, closed streams, limits of time
 and of memory.
 
-surroundings.py SEICHE
+surroundings.py SEICHE MPIRUN
 
 The same numbers as ever, or exit code 2 or 4 with a message. --max-hours stops in
-time (exit code 5). Too little memory (RLIMIT_AS): exit code 1 with a message that says
-so, and files that are whole; never a signal.
+time (exit code 5). Too little memory (RLIMIT_AS): exit code 4 with a message that says
+so and a checkpoint that is whole; never a signal.
 """
 import os
 import pathlib
+import re
 import resource
 import shutil
 import subprocess
 import time
 
-from harness import ROOT, ROWS, Account, amount, arguments, limit, run, scratch
-from runs import checkpoints, read
+from harness import (HANG, ROOT, ROWS, SLOWEST, Account, Outcome, amount, arguments, run,
+                     scratch)
+from runs import Program, checkpoints, kill, ranks_of, read
 
 SCENE = ROOT / "tests/restart/dam_break_2d.prm"
+# takes some 100 MB beyond the libraries
+FINE = ["Grid/Cell size = 0.0125", "Time/Step control = fixed", "Time/Step = 0.001",
+        "Output/Interval = 0.002", "Checkpoint/Every steps = 2"]
+REST = ["--restart", "--set", "Time/End time = 0.004"]
 
 
 def close(*streams):
@@ -109,36 +115,73 @@ def time_limits(seiche, folder, account):
                     "no checkpoint" if not checkpoints(out) else "")
 
 
-def needed_memory(seiche, out):
-    """Address space that a run takes at its end [bytes]."""
-    with subprocess.Popen([seiche, SCENE, "--output", out],
-                          stdout=subprocess.DEVNULL) as process:
-        largest = 0
-        while process.poll() is None:
-            try:
-                text = pathlib.Path(f"/proc/{process.pid}/statm").read_text()
-                largest = max(largest, int(text.split()[0]) * resource.getpagesize())
-            except (OSError, IndexError):
-                pass
-            time.sleep(0.01)
-    return largest
+def with_memory(program, folder, rank, size):
+    """Go on from the checkpoint in the folder and, once the libraries are there, limit
+    the addresses of a rank to what it has and size(it) more [bytes]. The outcome, what
+    it had, and the most that it took."""
+    begin = time.monotonic()
+    lock = pathlib.Path(folder, ".lock")
+    lock.unlink(missing_ok=True)
+    process = program.start(folder, *REST)
+    while process.poll() is None and not lock.exists():
+        time.sleep(0.0005)
+    pid = dict(enumerate(ranks_of(process, program.command[0]))).get(rank)
+    had = most = 0
+    try:
+        had = addresses(pid, "VmSize")
+        if size is not None:
+            resource.prlimit(pid, resource.RLIMIT_AS, (int(had + size),) * 2)
+        while size is None and process.poll() is None:
+            most = max(most, addresses(pid, "VmPeak"))
+            time.sleep(0.002)
+    except (OSError, AttributeError):  # it has ended
+        pass
+    try:
+        text = process.communicate(timeout=SLOWEST)[0]
+        code = process.returncode
+    except subprocess.TimeoutExpired:
+        kill(process)
+        text, code = "", HANG
+    return Outcome(code, text, time.monotonic() - begin), most - had
 
 
-def memory_limits(seiche, folder, account):
-    """From where the libraries just load to where the run just fits. Below that the
-    loader itself gives up (exit code 127)."""
-    enough = needed_memory(seiche, f"{folder}/enough")
-    n = amount("memory_limits")
+def addresses(pid, key):
+    """Address space of a process [bytes]."""
+    status = pathlib.Path(f"/proc/{pid}/status").read_text(encoding="ascii")
+    return 1024 * int(re.search(key + r":\s+(\d+)", status).group(1))
+
+
+def memory_limits(seiche, mpirun, folder, account):
+    """From nothing beyond the libraries to what the run needs, on one rank and on one
+    of two. Starting without memory is the loader's and Open MPI's affair: a restart
+    has its lock before the set-up, and the limit is put there."""
+    n, hits = amount("memory_limits"), 0
+    starts = {}
     for case in range(n):
-        size = int(enough * (0.9 + 0.1 * (case + 0.5) / n))
+        ranks = 1 + case % 2
+        program = Program(seiche, mpirun, str(SCENE), ranks, FINE)
+        start = f"{folder}/start{ranks}"
+        if ranks not in starts:
+            program.run_until(start, 0.002)
+            shutil.copytree(start, f"{folder}/enough")
+            starts[ranks] = with_memory(program, f"{folder}/enough", 0, None)[1]
+            shutil.rmtree(f"{folder}/enough")
         out = f"{folder}/memory"
-        shutil.rmtree(out, ignore_errors=True)
-        outcome = run([seiche, SCENE, "--output", out],
-                      prepare=limit(resource.RLIMIT_AS, size))
+        shutil.copytree(start, out)
+        share = 0.9 * (case + 0.5) / n
+        outcome, _ = with_memory(program, out, case // 2 % ranks, share * starts[ranks])
         problem = ""
-        if outcome.code == 1 and "memory is exhausted" not in outcome.text:
-            problem = "no word of memory"
-        account.add(f"{size / 2**20:.0f} MiB", outcome, {0, 1, 127}, problem)
+        if outcome.code == 4:
+            hits += 1
+            if not re.search("memory is exhausted|enough memory", outcome.text):
+                problem = "no word of memory"
+            else:
+                program.run(out, *REST)  # the checkpoint is whole
+        account.add(f"{share:.0%} of the memory, {ranks} ranks", outcome, {0, 4}, problem)
+        shutil.rmtree(out)
+    print(f"    {hits} of {n} limits of memory were hit")
+    if hits < n / 3:
+        account.problems.append("limits too high to be hit")
 
 
 def main():
@@ -151,7 +194,8 @@ def main():
             if part is memory_limits and "ASAN_OPTIONS" in os.environ:
                 continue  # whose shadow alone takes 16 TiB of addresses
             account = Account(name)
-            part(options.seiche, folder, account)
+            launcher = [options.mpirun] if part is memory_limits else []
+            part(options.seiche, *launcher, folder, account)
             verdict |= account.verdict("runs")
     return verdict
 

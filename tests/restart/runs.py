@@ -90,6 +90,18 @@ def descendants(pid):
     return found
 
 
+def ranks_of(process, program):
+    """Process numbers of the ranks that have begun, the first one first."""
+    found = []
+    for pid in descendants(process.pid):
+        try:
+            if os.path.samefile(f"/proc/{pid}/exe", program):
+                found.append(pid)
+        except OSError:
+            pass
+    return sorted(found)
+
+
 def kill(process):
     """kill -9 of the process and all that it has started."""
     for pid in descendants(process.pid):
