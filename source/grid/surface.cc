@@ -34,6 +34,33 @@ namespace seiche
     {
       return value == 0. ? on_surface : value;
     }
+
+    /// For each vertex of an own cut cell, sum of n_d^2 over the walls at it, n
+    /// the normal of the surface, d that of the wall: 1 if they are parallel.
+    template <int dim>
+    VertexValues<dim>
+    along_walls(const VertexValues<dim> &phi,
+                const CellLocator<dim>  &locator,
+                const unsigned int       cell)
+    {
+      std::array<double, dim> square{};
+      double                  sum = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          double difference = 0.;
+          for (unsigned int v = 0; v < phi.size(); ++v)
+            difference += (v >> d & 1u) != 0 ? phi[v] : -phi[v];
+          square[d] = difference * difference;
+          sum += square[d];
+        }
+      VertexValues<dim> result{};
+      for (unsigned int face = 0; face < 2 * dim; ++face)
+        if (sum > 0. && locator.at_boundary(cell, face))
+          for (unsigned int v = 0; v < result.size(); ++v)
+            if ((v >> (face / 2) & 1u) == face % 2)
+              result[v] += square[face / 2] / sum;
+      return result;
+    }
   } // namespace
 
   template <int dim>
@@ -151,21 +178,34 @@ namespace seiche
   void
   Surface<dim>::correct(const Vector &nodal_fill)
   {
-    Vector of_cut_cell(occupancy.scalar_partitioner());
+    // over the cut cells at a node: their number, and n_d^2 of the surface's
+    // normal for each wall that halves the hat function in direction d
+    Vector cells(occupancy.scalar_partitioner()), halved(cells);
     for (unsigned int cell = 0; cell < occupancy.locator.n_owned(); ++cell)
       if (shares[cell] > 0. && shares[cell] < 1.)
-        for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          of_cut_cell.local_element(occupancy.cell_nodes(cell)[a]) = 1.;
-    of_cut_cell.compress(VectorOperation::add);
+        {
+          VertexValues<dim> ones;
+          ones.fill(1.);
+          occupancy.add_vertex_values(cell, ones.data(), cells);
+          occupancy.add_vertex_values(
+            cell,
+            along_walls(level_in(cell), occupancy.locator, cell).data(),
+            halved);
+        }
+    cells.compress(VectorOperation::add);
+    halved.compress(VectorOperation::add);
     for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
       {
         const double f = inside_fill.local_element(i);
-        if (of_cut_cell.local_element(i) == 0. || f < empty_or_full ||
+        if (cells.local_element(i) == 0. || f < empty_or_full ||
             f > 1. - empty_or_full)
           continue;
-        double      &d      = level.local_element(i);
-        const double change = (f - std::min(1., nodal_fill.local_element(i))) /
-                              std::max(1. - std::abs(d), least_slope);
+        double      &d = level.local_element(i);
+        const double slope =
+          std::max(1. - std::abs(d), least_slope) *
+          (1. + halved.local_element(i) / cells.local_element(i));
+        const double change =
+          (f - std::min(1., nodal_fill.local_element(i))) / slope;
         d = level_at(std::clamp(
           d + std::clamp(change, -longest_correction, longest_correction),
           -1.,
