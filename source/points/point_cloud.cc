@@ -142,7 +142,9 @@ namespace seiche
     // every rank takes part in the exchange, also when a point is lost here
     if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
       migrate(emigrants);
-    if (census.moved || size() > census.n_before || cell_begin.empty())
+    // sorting drops what has no cell; a lost point stays for the last frame
+    if (census.n_lost == 0 &&
+        (census.moved || size() > census.n_before || cell_begin.empty()))
       sort();
     account(census);
   }
@@ -310,8 +312,7 @@ namespace seiche
     if (!last_cell.empty())
       last_cell += ")";
     return fmt::format("Material point {} at ({}) m, speed {:.6g} m/s, is "
-                       "lost: {}{}. Choose a smaller \"Time/Step\", or a "
-                       "smaller \"Time/Maximum displacement\", at most 1.",
+                       "lost: {}{}.",
                        point_ids[point],
                        place,
                        std::sqrt(speed),

@@ -18,7 +18,12 @@ namespace seiche
     constexpr double hardly_meant = 20.;   // speed over sqrt(g H)
     constexpr double mostly       = 0.7;   // of the body force
     constexpr double hardly_moves = 1e-10; // cells in a step
-  }                                        // namespace
+
+    /// Cells that sound may cross in a step: doc/methods.md, stability.
+    constexpr double stiffest = 10.;
+    /// Least bulk modulus over rho g H, the same.
+    constexpr double softest = 5.;
+  } // namespace
 
   template <int dim>
   SceneScales::SceneScales(const PointCloud<dim> &points,
@@ -114,7 +119,28 @@ namespace seiche
         "entries in SI units?",
         speed,
         speed / wave_speed()));
+    if (const std::string doubt = doubt_of_sound(); !doubt.empty())
+      result.push_back(doubt);
     return result;
+  }
+
+  std::string
+  SceneScales::doubt_of_sound() const
+  {
+    const double sound = std::sqrt(modulus / density);
+    const double cells = sound * step / smallest_cell;
+    if (cells <= stiffest)
+      return "";
+    const double soft = density * std::pow(stiffest * smallest_cell / step, 2);
+    return fmt::format(
+      "sound crosses {:.3g} cells in a step: above {:.0f} the irreducible form "
+      "may gain energy where water meets; what may help: Formulation/Name = "
+      "displacement-pressure, {}",
+      cells,
+      stiffest,
+      soft > softest * density * gravity * depth ?
+        fmt::format("Fluid/Bulk modulus = {:.2g}", soft) :
+        fmt::format("Time/Step = {:.2g}", stiffest * smallest_cell / sound));
   }
 
   template SceneScales::SceneScales(const PointCloud<2> &,

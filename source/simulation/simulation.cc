@@ -25,6 +25,9 @@ namespace seiche
         points.data(PointColumn::position)[0] =
           std::numeric_limits<double>::quiet_NaN();
       if (is_injected(Fault::velocity))
+        points.data(PointColumn::velocity)[0] =
+          std::numeric_limits<double>::quiet_NaN();
+      if (is_injected(Fault::speed))
         points.data(PointColumn::velocity)[0] = 1e150;
     }
   } // namespace
@@ -186,7 +189,18 @@ namespace seiche
     {
       const TimerTree::Scope scope(timer, "locate");
       move_grid();
-      points.locate();
+      try
+        {
+          points.locate();
+        }
+      catch (const NumericalError &error) // on all ranks
+        {
+          write_failed_points();
+          throw NumericalError(fmt::format("t = {:.6g} s: {} {}",
+                                           time_stepper.time(),
+                                           error.what(),
+                                           time_stepper.what_may_help()));
+        }
     }
     {
       const TimerTree::Scope scope(timer, "mesh adaptation");

@@ -36,6 +36,19 @@ namespace seiche
                                        missing) :
                            "");
     }
+
+    /// Where the frame of a failure goes: made here. Collective.
+    FrameSettings
+    failure_folder(const std::string &directory, const MPI_Comm communicator)
+    {
+      const FrameSettings settings{directory + "/failure",
+                                   /*interval=*/1.,
+                                   /*end_time=*/0.};
+      on_first_rank(communicator, [&]() {
+        checked_file::make_directory(settings.directory);
+      });
+      return settings;
+    }
   } // namespace
 
   template <int dim>
@@ -63,6 +76,8 @@ namespace seiche
     scales.viscosity = scene.fluid.dynamic_viscosity;
     scales.step      = scene.time.step;
     scales.is_fixed  = !scene.time.is_controlled();
+    if (!scene.formulation.is_mixed())
+      scales.modulus = scene.fluid.bulk_modulus;
     return scales;
   }
 
@@ -143,13 +158,16 @@ namespace seiche
 
   template <int dim>
   void
+  Simulation<dim>::write_failed_points()
+  {
+    PointOutput<dim>(failure_folder(directory, communicator), communicator)
+      .execute(step_view(/*dt=*/0.), statistics);
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::write_failure()
   {
-    const FrameSettings settings{directory + "/failure",
-                                 /*interval=*/1.,
-                                 /*end_time=*/0.};
-    on_first_rank(communicator,
-                  [&]() { checked_file::make_directory(settings.directory); });
     state.velocity_np1 = state.velocity_n; // nothing has moved
     state.velocity_np1.update_ghost_values();
     state.solution = 0.;
@@ -157,11 +175,11 @@ namespace seiche
       state.pressure() = state.pressure_guess;
     state.solution.update_ghost_values();
     const StepView<dim> before = step_view(/*dt=*/0.);
-    GridOutput<dim>(settings,
+    GridOutput<dim>(failure_folder(directory, communicator),
                     std::make_shared<NodalPressure<dim>>(),
                     communicator)
       .execute(before, statistics);
-    PointOutput<dim>(settings, communicator).execute(before, statistics);
+    write_failed_points();
   }
 
   template <int dim>
@@ -203,6 +221,10 @@ namespace seiche
   Simulation<2>::step_view(const double) const;
   template StepView<3>
   Simulation<3>::step_view(const double) const;
+  template void
+  Simulation<2>::write_failed_points();
+  template void
+  Simulation<3>::write_failed_points();
   template void
   Simulation<2>::write_failure();
   template void

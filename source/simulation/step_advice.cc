@@ -22,9 +22,10 @@ namespace seiche
     const unsigned int enough_points       = dim == 2 ? 4 : 2; // a direction
     const double       enough_tau2         = 0.5;
     const bool         is_mixed            = scene.formulation.is_mixed();
-    const bool         has_subscales       = is_mixed && vms.is_active();
-    const double       least_floor         = 1.; // cells a step
-    const double       larger_modulus      = 10.;
+    const bool         is_soft = is_mixed && !scene.fluid.is_incompressible();
+    const bool         has_subscales  = is_mixed && vms.is_active();
+    const double       least_floor    = 1.; // cells a step
+    const double       larger_modulus = 10.;
     const double least_inertia_factor = 0.25; // doc/methods.md, in splashes
     // first what makes the equations of a step unstable at every size
     const std::vector<std::pair<bool, std::string>> table = {
@@ -40,7 +41,9 @@ namespace seiche
        "Formulation/Subscale residual = whole"},
       {has_subscales && vms.is_orthogonal(),
        "Formulation/Stabilization = ASGS"},
-      {is_mixed && !scene.fluid.is_incompressible() &&
+      {is_soft && !scene.quadrature.has_surface(),
+       "Quadrature/Rule = cut cells"},
+      {is_soft && scene.time_scheme.elastic_pressure == "end" &&
          !scene.formulation.lumps_inertia(),
        "Fluid/Bulk modulus = infinite"},
       {!is_mixed,

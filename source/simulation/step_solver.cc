@@ -183,7 +183,9 @@ namespace seiche
           velocity_projection.apply(state, coefficients, wall_contact.any());
         last.krylov_iterations += result.iterations;
         if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
-          return "the velocity projection did not converge";
+          return result.is_singular ?
+                   result.problem() :
+                   "the velocity projection did not converge";
         if (!result.converged)
           report.warn("a velocity projection stopped early",
                       fmt::format("t = {:.6g} s: {:.1e} of the violation is "

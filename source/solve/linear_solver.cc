@@ -182,10 +182,17 @@ namespace seiche
     LinearResult           result;
     if (is_injected(Fault::stall))
       return result;
+    if (is_injected(Fault::singular))
+      {
+        result.is_singular = true;
+        return result;
+      }
     const auto factorise = [&]() {
       result.converged =
         solve_directly<dim>(*matrix, closed, solution, right_hand_side);
-      result.is_singular = !result.converged;
+      // nothing solves for what is not a number
+      result.is_singular =
+        !result.converged && std::isfinite(right_hand_side.l2_norm());
     };
     if (direct)
       factorise();

@@ -15,8 +15,10 @@ namespace seiche
     constexpr const char *names[] = {"residual",
                                      "update",
                                      "stall",
+                                     "singular",
                                      "position",
-                                     "velocity"};
+                                     "velocity",
+                                     "speed"};
 
     /// What SEICHE_FAULT asks for.
     struct Request

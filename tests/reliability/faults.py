@@ -20,8 +20,9 @@ from runs import Program
 SCENE = str(ROOT / "tests/restart/dam_break_2d.prm")
 OPTIONS = ["Output/Interval = 0", "Checkpoint/Every steps = 0"]
 SOLVERS = ["direct", "iterative"]
-ONCE = ["residual", "update", "stall"]
-POINTS = ["position", "velocity"]
+ONCE = ["residual", "update", "stall", "singular"]
+POINTS = ["position", "velocity", "speed"]
+ON_ALL = ["stall", "singular"]
 FOR_EVER = 10**9
 
 
@@ -31,10 +32,11 @@ def main():
     with scratch() as folder:
         for case in within_time(range(amount("faults"))):
             luck = chance(case)
-            kind = (ONCE + POINTS)[case % 5]
-            ranks = 1 + case // 5 % 2
+            kinds = ONCE + POINTS
+            kind = kinds[case % len(kinds)]
+            ranks = 1 + case // len(kinds) % 2
             count = FOR_EVER if kind in ONCE and case % 3 == 2 else 1
-            rank = "" if kind == "stall" or ranks == 1 else luck.randrange(ranks)
+            rank = "" if kind in ON_ALL or ranks == 1 else luck.randrange(ranks)
             call = luck.randrange(1, 60 if kind in ONCE else 30)
             fault = f"{kind} {call} {count} {rank}"
             out = pathlib.Path(folder, "out")

@@ -27,6 +27,7 @@ namespace seiche
 
     double density   = 0.;   ///< [kg/m^3]
     double viscosity = 0.;   ///< [Pa s]
+    double modulus   = 0.;   ///< kappa of the irreducible form, else 0 [Pa]
     double step      = 0.;   ///< [s]
     bool   is_fixed  = true; ///< or the largest step
 
@@ -34,7 +35,9 @@ namespace seiche
     std::string
     text() const;
 
-    /// What is hardly meant: gravity upwards, speeds above 20 sqrt(g H). Local.
+    /// What is hardly meant: gravity upwards, speeds above 20 sqrt(g H), sound
+    /// that crosses more than 10 cells in a step of the irreducible form.
+    /// Local.
     std::vector<std::string>
     doubts() const;
 
@@ -51,6 +54,11 @@ namespace seiche
   private:
     double
     wave_speed() const;
+
+    /// Cells that sound crosses in a step, and what may help; empty if they
+    /// are few.
+    std::string
+    doubt_of_sound() const;
 
     double depth         = 0.; ///< H [m]
     double gravity       = 0.; ///< g [m/s^2]

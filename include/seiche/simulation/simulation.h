@@ -154,6 +154,10 @@ namespace seiche
     void
     write_failure();
 
+    /// The points alone, as they are: where one of them is lost. Collective.
+    void
+    write_failed_points();
+
     /// The grid to where the walls are now. Collective.
     void
     move_grid();

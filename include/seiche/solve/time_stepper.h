@@ -72,6 +72,13 @@ namespace seiche
     TimeStepper(const TimeStepParameters &parameters,
                 const std::string        &advice);
 
+    /// The advice, a sentence.
+    const std::string &
+    what_may_help() const
+    {
+      return advice;
+    }
+
     /// Size [s] of the step that starts now. @p speed_per_cell: largest speed
     /// over the cell's edge [1/s], all ranks.
     double

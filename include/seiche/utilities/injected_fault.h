@@ -10,8 +10,10 @@ namespace seiche
     residual, ///< a residual that is not a number
     update,   ///< a linear solve that gives what is not a number
     stall,    ///< a linear solver that does not converge, on all ranks
+    singular, ///< a matrix that cannot be factorised, on all ranks
     position, ///< a point whose position is not a number
-    velocity  ///< a point of absurd speed
+    velocity, ///< a point whose velocity is not a number
+    speed     ///< a point of absurd speed
   };
 
   /**
