@@ -31,6 +31,7 @@ GRAVITY = 9.81
 FINISHED, NUMERICAL, STOPPED = 0, 3, 5
 LARGEST_GAIN, LARGEST_FAILED, STEPS_OF_ADVICE = 0.05, 0.01, 8
 NUMBERS = {None: 6, "night": 100, "release": 500}
+GAIN_IS_SAID = ["energy has risen", "sound crosses"]
 CPU_SECONDS, WALL_SECONDS = 60, 900
 TRANSFERS = ["PIC", "FLIP", "FLIP acceleration", "PIC/FLIP blend", "APIC", "TPIC",
              "affine FLIP", "Taylor least squares", "XPIC", "FMPM"]
@@ -150,6 +151,10 @@ class Scene:
             radius = chance.uniform(1., 1.5) * spacing if kind == "drop" else 1.2 * h
             lower = [m - radius for m in middle]
             upper = [m + radius for m in middle]
+        if lower[0] < 0.:  # short tanks: against the wall
+            middle[0] -= lower[0]
+            upper[0] -= lower[0]
+            lower[0] = 0.
         entries = {"Shape": "box", "Lower_corner": self.point(lower),
                    "Upper_corner": self.point(upper)}
         if kind in ("drop", "ball"):
@@ -265,7 +270,7 @@ def judge(seiche, number, base):
         return "lost points", str(summary["ledger"]["lost_points"])
     gain = energy_gain(scene, folder / "run")
     if gain > LARGEST_GAIN:
-        said = "energy has risen" in result.stdout + result.stderr
+        said = any(word in result.stdout + result.stderr for word in GAIN_IS_SAID)
         return ("gain that is said" if said else "silent gain"), f"{gain:.3g}"
     return "", ""
 

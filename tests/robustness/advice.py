@@ -11,7 +11,7 @@ import re
 import subprocess
 import sys
 
-INPUT, NUMERICAL = 2, 3
+FINISHED, INPUT, NUMERICAL = 0, 2, 3
 
 
 def advised(text):
@@ -60,7 +60,7 @@ def main():
     result, taken = follow(lambda now: run(seiche, scene, folder, now), entries,
                            int(steps))
     print("taken:", *taken, sep="\n  ")
-    if result.returncode != 0:
+    if result.returncode != FINISHED:
         sys.exit(f"exit code {result.returncode} in the end: {result.stderr}")
 
 
