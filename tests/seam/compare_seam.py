@@ -8,7 +8,8 @@ The scene of the case runs twice, the second time with the grid's corners (and
 the bodies that it takes along) moved by some cells, so that the seam is
 elsewhere in the fluid; on N ranks the second time. All columns of
 statistics.csv agree to 1e-10 of the column's largest value (momenta: of
-that at 1 m/s), but for iteration counts and moments, which depend on the origin.
+that at 1 m/s; 1e-8 where points carry an acceleration, whose round-off grows), but
+for iteration counts and moments, which depend on the origin.
 """
 import pathlib
 import sys
@@ -19,6 +20,7 @@ sys.path.insert(0, str(HERE.parent / "ranks"))
 from compare_ranks import SCALES, difference, run  # noqa: E402
 
 TOLERANCE = 1e-10
+WITH_ACCELERATION = 1e-8
 NOT_COMPARED = ("iterations", "angular momentum", "moment ")
 TIGHT = ["Output/Interval = 0",
          "Solver/Newton tolerance = 1e-13",
@@ -98,12 +100,14 @@ def main():
                    "shifting momentum": "mass [kg]"})
     errors = {name: difference(name, one, two) for name in one
               if not any(part in name for part in NOT_COMPARED)}
+    carries = any("Time/Scheme" in setting for setting in both)
+    tolerance = WITH_ACCELERATION if carries else TOLERANCE
     failed = {name: error for name, error in errors.items()
-              if not error <= TOLERANCE}
+              if not error <= tolerance}
     print(f"{len(errors)} columns, {len(one['time [s]'])} rows, largest "
           f"difference {max(errors.values()):.1e}")
     for name, error in failed.items():
-        print(f"FAILED {name}: {error:.1e} > {TOLERANCE:g}")
+        print(f"FAILED {name}: {error:.1e} > {tolerance:g}")
     return 1 if failed or not errors else 0
 
 
