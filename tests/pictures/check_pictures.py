@@ -240,7 +240,7 @@ def seams(seiche, folder):
             assert stage.name == "plain" and numpy.isclose(stage.low[0], there.lower[0])
         else:
             assert abs(volume(water, there) / size_of_points(cloud, 3) - 1) < 0.05
-        call("plot_run", f"{folder}/{dim}d")
+    call("plot_run", f"{folder}/2d", "-o", f"{folder}/seam.png", "--times", "0.06")
 
 
 def film(seiche, folder):
