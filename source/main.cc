@@ -6,6 +6,7 @@
 #include <seiche/utilities/exceptions.h>
 #include <seiche/utilities/failure_text.h>
 #include <seiche/utilities/printable.h>
+#include <seiche/utilities/process_memory.h>
 #include <seiche/utilities/waiting_rank.h>
 
 #include <deal.II/base/mpi.h>
@@ -14,30 +15,14 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
-#include <limits>
 #include <string>
 #include <thread>
-
-#ifdef __GLIBC__
-#  include <malloc.h>
-#endif
 
 namespace
 {
   using seiche::ExitCode;
 
   constexpr std::size_t longest_line = 4000; // of a message
-
-  /// Freed memory stays with the process: the arrays of a step come and go with
-  /// the same sizes, and clearing new pages took 5 to 7 % of a 3D step.
-  void
-  keep_freed_memory()
-  {
-#ifdef __GLIBC__
-    mallopt(M_MMAP_MAX, 0);
-    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-#endif
-  }
 
   /// A process that no launcher started needs neither Open MPI's daemon nor
   /// its network: half of the time before the first step, on the clock.
@@ -126,7 +111,7 @@ namespace
 int
 main(int argc, char **argv)
 {
-  keep_freed_memory();
+  seiche::keep_freed_memory();
   start_alone();
   seiche::let_waiting_ranks_sleep();
   // a limit of the file size shall be an error of write(), not a signal

@@ -12,6 +12,7 @@
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/failure_text.h>
 #include <seiche/utilities/folder_name.h>
+#include <seiche/utilities/process_memory.h>
 #include <seiche/utilities/stop_signal.h>
 #include <seiche/utilities/timer_tree.h>
 
@@ -148,6 +149,7 @@ namespace seiche
             RunOutcome::restart)
             {
               simulation.reset();
+              return_freed_memory();
               start = folder.checkpoints.last();
               set_up();
             }

@@ -303,6 +303,33 @@ def stopped(make, folder, ranks):
                                "end_time": 0.4, "seconds_left": 0}, progress(parts)
 
 
+def stopped_by_mpirun(make, folder, ranks):
+    """Ctrl-C to all that the terminal runs, and SIGTERM to the launcher only: with
+    contrib/mpirun as on one rank."""
+    program = make(SCENE_2D, ranks, TIGHT + ["Checkpoint/Every steps = 0",
+        "Output/Interval = 0", "Time/Step = 0.004", "Time/Step control = fixed"])
+    launcher = [os.path.join(HERE, "../../contrib/mpirun"), *program.launcher[1:]]
+    whole, parts = f"{folder}/whole", f"{folder}/parts"
+    os.environ["MPIRUN"] = program.launcher[0]
+    program.run(whole)
+
+    def ctrl_c(process):
+        os.killpg(process.pid, signal.SIGINT)
+
+    def term(process):
+        process.terminate()
+
+    for action, row, arguments in ((ctrl_c, 10, []), (term, 30, ["--restart"])):
+        process = program.start(parts, *arguments, launcher=launcher, session=True)
+        wait_for_rows(process, parts, row)
+        action(process)
+        text = process.communicate(timeout=60)[0]
+        assert process.returncode == 5, f"{process.returncode}: {text}"
+        assert checkpoints(parts)
+    program.run(parts, "--restart")
+    require_close(whole, parts)
+
+
 def stopped_unread(make, folder, _):
     """Nobody reads the screen any more, as after `seiche ... | head -1`; a second
     signal after the last line does no harm."""
@@ -365,7 +392,8 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "stopped_at_start": (stopped_at_start, 1),
          "stopped_unread": (stopped_unread, 1),
          "stopped_in_time": (stopped_in_time, 1),
-         "stopped_2_ranks": (stopped, 2)}
+         "stopped_2_ranks": (stopped, 2),
+         "stopped_by_mpirun_2_ranks": (stopped_by_mpirun, 2)}
 
 
 def main():

@@ -16,11 +16,12 @@ class Program:
         for option in options:
             self.command += ["--set", option]
 
-    def start(self, folder, *arguments, launcher=None):
+    def start(self, folder, *arguments, launcher=None, session=False):
         return subprocess.Popen(
             (self.launcher if launcher is None else launcher)
             + self.command + ["--output", folder, *arguments],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            start_new_session=session)
 
     def run(self, folder, *arguments, code=0):
         """Run to the end; what it printed. AssertionError for another code."""

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_utilities_process_memory_h
+#define seiche_utilities_process_memory_h
+
+namespace seiche
+{
+  /// Freed memory stays with the process: the arrays of a step come and go with
+  /// the same sizes, and clearing new pages took 5 to 7 % of a 3D step.
+  /// Does nothing with other C libraries than glibc.
+  void
+  keep_freed_memory();
+
+  /// Once: give back what is free now. Between arrays of ever other sizes the
+  /// heap gets holes, and a long run took 2.6 % more after 3e4 steps though it
+  /// held the same; where nearly everything is freed, nothing holds them.
+  void
+  return_freed_memory();
+} // namespace seiche
+
+#endif
