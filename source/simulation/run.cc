@@ -6,12 +6,11 @@
 #include <seiche/simulation/run.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene.h>
-#include <seiche/simulation/scene_picture.h>
 #include <seiche/simulation/scene_plan.h>
 #include <seiche/simulation/simulation.h>
+#include <seiche/simulation/validation.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/failure_text.h>
-#include <seiche/utilities/folder_name.h>
 #include <seiche/utilities/process_memory.h>
 #include <seiche/utilities/stop_signal.h>
 #include <seiche/utilities/timer_tree.h>
@@ -23,47 +22,13 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <iostream>
 #include <memory>
+#include <utility>
 
 namespace seiche
 {
   namespace
   {
-    /// What a run would need and a picture of the scene; no grid, no points.
-    template <int dim>
-    void
-    validate(const Scene<dim>                  &scene,
-             const std::vector<FluidBody<dim>> &bodies,
-             const ScenePlan<dim>              &plan,
-             const std::string                 &output)
-    {
-      const std::string file = folder_name(output) + ".svg";
-      std::string       picture;
-      try
-        {
-          const std::string title =
-            std::filesystem::path(scene.input.filename).stem().string() + ": " +
-            plan.size_text();
-          checked_file::write(file, [&](std::ostream &stream) {
-            stream << scene_picture(scene, bodies, title);
-          });
-          picture = "  picture: " + file + '\n';
-        }
-      catch (const FileError &error)
-        {
-          std::cerr << "warning: no picture: " << error.what() << '\n';
-        }
-      for (const std::string &doubt : plan.doubts(output))
-        std::cerr << "warning: " << doubt << '\n';
-      for (const std::string &in_vain : scene.input.without_effect())
-        std::cerr << "warning: " << in_vain << '\n';
-      std::cout << scene.input.filename << " is valid: " << plan.size_text()
-                << '\n'
-                << plan.cost_text() << picture << std::flush;
-    }
-
     /// Entries and files of tables that a checkpoint must have, too.
     template <int dim>
     ParameterValues
@@ -100,19 +65,21 @@ namespace seiche
                        communicator);
       ResultFolder folder(directory, what_must_agree(scene, prm), communicator);
 
-      std::unique_ptr<Checkpoint> start;
+      std::unique_ptr<const Checkpoint> start;
+      std::string                       origin;
       if (restarts)
         {
           if (folder.exists())
             folder.take();
           folder.checkpoints.require_any(folder.earlier.hint());
-          start = folder.checkpoints.newest_usable(report);
+          start  = folder.checkpoints.newest_usable(report);
+          origin = start->filename;
         }
       std::unique_ptr<Simulation<dim>> simulation;
       const auto                       set_up = [&]() {
         const TimerTree::Scope scope(timer, "set-up");
         simulation = std::make_unique<Simulation<dim>>(
-          scene, directory, report, timer, start.get());
+          scene, directory, report, timer, std::move(start));
       };
       set_up();
 
@@ -131,7 +98,7 @@ namespace seiche
       for (const std::string &text : scene.input.without_effect())
         report.warn(text, "");
       if (restarts)
-        report.header("going on from " + start->filename);
+        report.header("going on from " + origin);
       else
         folder.clear(report);
       folder.begin(scene.input, prm, report, restarts);
@@ -149,7 +116,7 @@ namespace seiche
             RunOutcome::restart)
             {
               simulation.reset();
-              return_freed_memory();
+              return_freed_memory(); // hardly anything is in use now
               start = folder.checkpoints.last();
               set_up();
             }

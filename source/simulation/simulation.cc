@@ -37,13 +37,13 @@ namespace seiche
                               const std::string &output_directory,
                               RunReport         &run_report,
                               TimerTree         &run_timer,
-                              const Checkpoint  *checkpoint)
+                              std::unique_ptr<const Checkpoint> checkpoint)
     : scene(run_scene)
     , directory(output_directory)
     , communicator(MPI_COMM_WORLD)
     , report(run_report)
     , timer(run_timer)
-    , start(checkpoint)
+    , start(std::move(checkpoint))
     , wall_motion(scene.grid, scene.input, scene.time.end_time)
     , grid(scene.grid, communicator)
     , locator(grid)
@@ -51,7 +51,7 @@ namespace seiche
                                         scene.fluid.is_incompressible()))
     , formulation(make_formulation<dim>(scene.formulation, scene.material()))
     , points(locator, point_columns(), communicator)
-    , seeding(fill_points(start))
+    , seeding(fill_points(start.get()))
     , mesh_adaptation(grid, locator, points, scene.quadrature.has_surface())
     , occupancy(locator, scene.formulation.degree)
     , fill(occupancy, scene.quadrature.value(), scene.filled_volume())

@@ -32,6 +32,7 @@ namespace seiche
           fmt::format("the checkpoint is at {:.6g} s already; "
                       "set a later time",
                       time_stepper.time()));
+        start.reset();
         return;
       }
     find_material();

@@ -46,13 +46,13 @@ namespace seiche
   {
   public:
     /// Build the grid and fill it, with the bodies of the scene or the points
-    /// of a checkpoint. Throws InputError; writes no file. References must
-    /// outlive the run. Collective.
-    Simulation(Scene<dim>        &scene,
-               const std::string &directory,
-               RunReport         &report,
-               TimerTree         &timer,
-               const Checkpoint  *start);
+    /// of a checkpoint (null: none). Throws InputError; writes no file.
+    /// References must outlive the run. Collective.
+    Simulation(Scene<dim>                       &scene,
+               const std::string                &directory,
+               RunReport                        &report,
+               TimerTree                        &timer,
+               std::unique_ptr<const Checkpoint> start);
 
     /// Sizes of the run, for the user. Collective.
     std::string
@@ -188,7 +188,8 @@ namespace seiche
     const MPI_Comm    communicator;
     RunReport        &report;
     TimerTree        &timer;
-    const Checkpoint *start; ///< null: from the scene
+    /// Until the run begins: it holds a file open, and memory.
+    std::unique_ptr<const Checkpoint> start;
 
     const WallMotion<dim>                   wall_motion;
     BackgroundGrid<dim>                     grid;

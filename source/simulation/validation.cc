@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/scene_picture.h>
+#include <seiche/simulation/validation.h>
+#include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/folder_name.h>
+
+#include <filesystem>
+#include <iostream>
+
+namespace seiche
+{
+  namespace
+  {
+    /// The line that names the picture, or nothing.
+    template <int dim>
+    std::string
+    draw(const Scene<dim>                  &scene,
+         const std::vector<FluidBody<dim>> &bodies,
+         const ScenePlan<dim>              &plan,
+         const std::string                 &file)
+    {
+      try
+        {
+          const std::string title =
+            std::filesystem::path(scene.input.filename).stem().string() + ": " +
+            plan.size_text();
+          checked_file::write(file, [&](std::ostream &stream) {
+            stream << scene_picture(scene, bodies, title);
+          });
+          return "  picture: " + file + '\n';
+        }
+      catch (const FileError &error)
+        {
+          std::cerr << "warning: no picture: " << error.what() << '\n';
+          return "";
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  validate(const Scene<dim>                  &scene,
+           const std::vector<FluidBody<dim>> &bodies,
+           const ScenePlan<dim>              &plan,
+           const std::string                 &output)
+  {
+    const std::string picture =
+      draw(scene, bodies, plan, folder_name(output) + ".svg");
+    for (const std::string &doubt : plan.doubts(output))
+      std::cerr << "warning: " << doubt << '\n';
+    for (const std::string &in_vain : scene.input.without_effect())
+      std::cerr << "warning: " << in_vain << '\n';
+    std::cout << scene.input.filename << " is valid: " << plan.size_text()
+              << '\n'
+              << plan.cost_text() << picture << std::flush;
+  }
+
+  template void
+  validate(const Scene<2> &,
+           const std::vector<FluidBody<2>> &,
+           const ScenePlan<2> &,
+           const std::string &);
+  template void
+  validate(const Scene<3> &,
+           const std::vector<FluidBody<3>> &,
+           const ScenePlan<3> &,
+           const std::string &);
+} // namespace seiche
