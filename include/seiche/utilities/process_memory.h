@@ -11,8 +11,7 @@ namespace seiche
   keep_freed_memory();
 
   /// Once: give back what is free now. Between arrays of ever other sizes the
-  /// heap gets holes, and a long run took 2.6 % more after 3e4 steps though it
-  /// held the same; where nearly everything is freed, nothing holds them.
+  /// heap gets holes; where nearly everything is freed they can go.
   void
   return_freed_memory();
 } // namespace seiche
