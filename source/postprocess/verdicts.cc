@@ -9,12 +9,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace seiche
 {
   namespace
   {
-    const std::string of_scores = "errors/";
+    const std::string of_scores = "errors/", of_alarms = "largest/";
 
     /// The number at a path "ledger/lost_points"; null if there is none.
     const nlohmann::ordered_json *
@@ -42,7 +43,8 @@ namespace seiche
                       "A number of summary.json by its path: errors/NAME (of a "
                       "score), ledger/energy_max_relative_gain, "
                       "ledger/lost_points, largest/seen volume, "
-                      "largest/overfull, rejected_steps, ...",
+                      "largest/overfull, rejected_steps, ... Of those below "
+                      "largest/, which have a sign, the size is judged.",
                       dealii::Patterns::Anything(),
                       /*has_to_be_set=*/true);
     prm.add_parameter("At least", at_least_text, "Smallest value that passes.");
@@ -65,11 +67,12 @@ namespace seiche
     if (value.rfind(of_scores, 0) != 0)
       return;
     const std::string score = value.substr(of_scores.size());
+    const std::string hint  = nearest_hint(score, scores);
     input.require(std::find(scores.begin(), scores.end(), score) !=
                     scores.end(),
                   section + "/Value",
                   "there is no \"Score " + score + "\"" +
-                    nearest_hint(score, scores) + " Scores are " +
+                    (hint.empty() ? "." : hint) + " Scores are " +
                     (scores.empty() ? "none" : quoted_list(scores)) + ".");
   }
 
@@ -88,7 +91,9 @@ namespace seiche
                                          verdict.value));
             continue;
           }
-        const double value = number->get<double>();
+        const bool   has_sign     = verdict.value.rfind(of_alarms, 0) == 0;
+        const double signed_value = number->get<double>();
+        const double value = has_sign ? std::abs(signed_value) : signed_value;
         // not (a > b): what is not a number does not pass
         if (!(value >= verdict.at_least && value <= verdict.at_most))
           failed.push_back(
