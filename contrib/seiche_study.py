@@ -333,6 +333,12 @@ class Study:
 
     # ---- results ----
 
+    def empty_columns(self, ordered):
+        """Those of [collect] that no run which has finished has a value of."""
+        finished = [row for _, row in ordered if int(row["exit_code"]) == 0]
+        return {name: source for name, source in self.data.get("collect", {}).items()
+                if finished and all(row.get(name) is None for row in finished)}
+
     def row(self, variant, outcome, folder):
         """The line of the table for a finished variant."""
         row = dict(variant.settings)

@@ -160,6 +160,13 @@ def mistakes(seiche, folder):
     text = run(seiche, f"{folder}/entry", "--only", "failing", "--no-plots", code=2, file=file)
     assert 'did you mean "Minimum step"' in text.splitlines()[-1], text
 
+    # of a column: no run has a value, which is said beside the others
+    file = pathlib.Path(folder, "column.toml")
+    file.write_text(good.replace("[collect]", "[collect]\nodd = \"last(no such [m])\""))
+    text = run(seiche, f"{folder}/column", "--no-plots", file=file)
+    assert 'no run has a value of odd = "last(no such [m])"' in text, text
+    assert text.count("no run has a value") == 1, text
+
 
 def expansion(_, folder):
     """Products, tied entries, samples, names."""
