@@ -180,6 +180,10 @@ namespace seiche
         if (!header)
           {
             header = true;
+            if (fields.size() == 1 &&
+                line.find_first_of(";\t") != std::string::npos)
+              fail(place + "columns are separated by commas, and numbers have "
+                           "decimal points.");
             if (to_number(fields[0], row[0]))
               fail(place + "the first line must be a header with the names of "
                            "the columns, not numbers.");
