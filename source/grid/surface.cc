@@ -180,12 +180,12 @@ namespace seiche
   {
     // over the cut cells at a node: their number, and n_d^2 of the surface's
     // normal for each wall that halves the hat function in direction d
-    Vector cells(occupancy.scalar_partitioner()), halved(cells);
+    Vector            cells(occupancy.scalar_partitioner()), halved(cells);
+    VertexValues<dim> ones;
+    ones.fill(1.);
     for (unsigned int cell = 0; cell < occupancy.locator.n_owned(); ++cell)
       if (shares[cell] > 0. && shares[cell] < 1.)
         {
-          VertexValues<dim> ones;
-          ones.fill(1.);
           occupancy.add_vertex_values(cell, ones.data(), cells);
           occupancy.add_vertex_values(
             cell,

@@ -108,13 +108,14 @@ namespace seiche
                         {obstacle.lower_corner[d], obstacle.upper_corner[d]});
         for (const GridSegment &segment : make_segments(grid, d))
           of_all.push_back(segment.end);
-        cuts[d] = {lower, upper};
         // without obstacles, or without anything, where there are hundreds: an
         // estimate
-        for (const auto &places : {of_all, of_bodies})
-          if (const auto lines = distinct(places, lower, upper);
-              cuts[d].size() == 2 && lines.size() <= per_direction)
-            cuts[d] = lines;
+        for (const auto &places : {of_all, of_bodies, std::vector<double>()})
+          {
+            cuts[d] = distinct(places, lower, upper);
+            if (cuts[d].size() <= per_direction)
+              break;
+          }
         const double largest = (upper - lower) / per_direction;
         cuts[d] =
           subdivided(cuts[d],

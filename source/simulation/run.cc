@@ -2,11 +2,11 @@
 #include <seiche/parameters/declarations.h>
 #include <seiche/parameters/file_beside.h>
 #include <seiche/parameters/parameter_table.h>
+#include <seiche/simulation/planned_scene.h>
 #include <seiche/simulation/result_folder.h>
 #include <seiche/simulation/run.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene.h>
-#include <seiche/simulation/scene_plan.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/simulation/validation.h>
 #include <seiche/utilities/checked_file.h>
@@ -160,26 +160,14 @@ namespace seiche
   {
     const MPI_Comm communicator = MPI_COMM_WORLD;
 
-    dealii::ParameterHandler prm;
-    InputFile::declare_dimension(prm);
-    Scene<dim> scene(input);
-    scene.add_parameters(prm);
-    input.parse_into(prm);
-    scene.check(input);
-    {
-      const auto bodies =
-        make_fluid_bodies(scene.bodies, input, scene.grid.domain());
-      const ScenePlan<dim> plan(scene, bodies);
-      plan.require_possible(
-        input, dealii::Utilities::MPI::n_mpi_processes(communicator));
-      if (command_line.validate)
-        {
-          if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-            validate(scene, bodies, plan, command_line.output);
-          return ExitCode::finished;
-        }
-    }
-    return simulate(command_line, prm, scene, communicator);
+    PlannedScene<dim> planned(input, communicator);
+    if (command_line.validate)
+      {
+        if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+          validate(planned, command_line.output);
+        return ExitCode::finished;
+      }
+    return simulate(command_line, planned.prm, planned.scene, communicator);
   }
 
 

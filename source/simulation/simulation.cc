@@ -184,23 +184,30 @@ namespace seiche
 
   template <int dim>
   void
+  Simulation<dim>::locate_points()
+  {
+    try
+      {
+        points.locate();
+      }
+    catch (const NumericalError &error) // on all ranks
+      {
+        write_failed_points();
+        throw NumericalError(fmt::format("t = {:.6g} s: {} {}",
+                                         time_stepper.time(),
+                                         error.what(),
+                                         time_stepper.what_may_help()));
+      }
+  }
+
+  template <int dim>
+  void
   Simulation<dim>::find_material()
   {
     {
       const TimerTree::Scope scope(timer, "locate");
       move_grid();
-      try
-        {
-          points.locate();
-        }
-      catch (const NumericalError &error) // on all ranks
-        {
-          write_failed_points();
-          throw NumericalError(fmt::format("t = {:.6g} s: {} {}",
-                                           time_stepper.time(),
-                                           error.what(),
-                                           time_stepper.what_may_help()));
-        }
+      locate_points();
     }
     {
       const TimerTree::Scope scope(timer, "mesh adaptation");

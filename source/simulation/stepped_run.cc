@@ -1,66 +1,42 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/planned_scene.h>
 #include <seiche/simulation/result_folder.h>
-#include <seiche/simulation/scene_plan.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/simulation/stepped_run.h>
-
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/parameter_handler.h>
 
 #include <stdexcept>
 
 namespace seiche
 {
-  namespace
-  {
-    /// Whose check() has been called, and which this machine can compute.
-    template <int dim>
-    std::unique_ptr<Scene<dim>>
-    checked_scene(const InputFile &input, dealii::ParameterHandler &prm)
-    {
-      auto scene = std::make_unique<Scene<dim>>(input);
-      InputFile::declare_dimension(prm);
-      scene->add_parameters(prm);
-      input.parse_into(prm);
-      scene->check(input);
-      const ScenePlan<dim> plan(
-        *scene, make_fluid_bodies(scene->bodies, input, scene->grid.domain()));
-      plan.require_possible(
-        input, dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-      return scene;
-    }
-  } // namespace
-
   template <int dim>
   struct SteppedRun<dim>::Implementation
   {
     Implementation(SceneEntries entries, const std::string &directory)
       : input(entries.set("Dimension", std::to_string(dim)))
-      , scene(checked_scene<dim>(input, prm))
+      , planned(input, MPI_COMM_WORLD)
       , report({directory,
-                scene->time.end_time,
-                scene->test_log,
+                planned.scene.time.end_time,
+                planned.scene.test_log,
                 /*quiet=*/true},
                MPI_COMM_WORLD)
       , folder(directory, /*no checkpoints:*/ {}, MPI_COMM_WORLD)
-      , simulation(*scene, directory, report, timer, /*start=*/nullptr)
+      , simulation(planned.scene, directory, report, timer, /*start=*/nullptr)
     {
       folder.take();
       report.header(simulation.description());
       folder.clear(report);
-      folder.begin(input, prm, report, /*continues=*/false);
+      folder.begin(input, planned.prm, report, /*continues=*/false);
       for (const std::string &text : input.without_effect())
         report.warn(text);
       simulation.begin();
     }
 
-    const InputFile                   input;
-    dealii::ParameterHandler          prm;
-    const std::unique_ptr<Scene<dim>> scene;
-    TimerTree                         timer;
-    RunReport                         report;
-    ResultFolder                      folder;
-    Simulation<dim>                   simulation;
+    const InputFile   input;
+    PlannedScene<dim> planned;
+    TimerTree         timer;
+    RunReport         report;
+    ResultFolder      folder;
+    Simulation<dim>   simulation;
   };
 
   template <int dim>

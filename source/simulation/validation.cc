@@ -15,18 +15,17 @@ namespace seiche
     /// The line that names the picture, or nothing.
     template <int dim>
     std::string
-    draw(const Scene<dim>                  &scene,
-         const std::vector<FluidBody<dim>> &bodies,
-         const ScenePlan<dim>              &plan,
-         const std::string                 &file)
+    draw(const PlannedScene<dim> &planned, const std::string &file)
     {
       try
         {
           const std::string title =
-            std::filesystem::path(scene.input.filename).stem().string() + ": " +
-            plan.size_text();
+            std::filesystem::path(planned.scene.input.filename)
+              .stem()
+              .string() +
+            ": " + planned.plan.size_text();
           checked_file::write(file, [&](std::ostream &stream) {
-            stream << scene_picture(scene, bodies, title);
+            stream << scene_picture(planned.scene, planned.bodies, title);
           });
           return "  picture: " + file + '\n';
         }
@@ -42,30 +41,21 @@ namespace seiche
 
   template <int dim>
   void
-  validate(const Scene<dim>                  &scene,
-           const std::vector<FluidBody<dim>> &bodies,
-           const ScenePlan<dim>              &plan,
-           const std::string                 &output)
+  validate(const PlannedScene<dim> &planned, const std::string &output)
   {
-    const std::string picture =
-      draw(scene, bodies, plan, folder_name(output) + ".svg");
+    const InputFile      &input   = planned.scene.input;
+    const ScenePlan<dim> &plan    = planned.plan;
+    const std::string     picture = draw(planned, folder_name(output) + ".svg");
     for (const std::string &doubt : plan.doubts(output))
       std::cerr << "warning: " << doubt << '\n';
-    for (const std::string &in_vain : scene.input.without_effect())
+    for (const std::string &in_vain : input.without_effect())
       std::cerr << "warning: " << in_vain << '\n';
-    std::cout << scene.input.filename << " is valid: " << plan.size_text()
-              << '\n'
+    std::cout << input.filename << " is valid: " << plan.size_text() << '\n'
               << plan.cost_text() << picture << std::flush;
   }
 
   template void
-  validate(const Scene<2> &,
-           const std::vector<FluidBody<2>> &,
-           const ScenePlan<2> &,
-           const std::string &);
+  validate(const PlannedScene<2> &, const std::string &);
   template void
-  validate(const Scene<3> &,
-           const std::vector<FluidBody<3>> &,
-           const ScenePlan<3> &,
-           const std::string &);
+  validate(const PlannedScene<3> &, const std::string &);
 } // namespace seiche

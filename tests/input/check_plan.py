@@ -217,15 +217,9 @@ SMALL_BODIES = [  # in cells between lines of the map, beside many obstacles
 ]
 
 
-def check_bodies(program, problems):
-    """Small bodies are valid, and the plan knows the points of those with a box."""
-    for dim, upper, size, centre, radius, obstacles in SMALL_BODIES:
-        names, centres = "xyz"[:dim], centre.split(", ")
-        ball = "+".join(f"({x}-{c})^2" for x, c in zip(names, centres))
-        shapes = [f"set Shape = ball\nset Centre = {centre}\nset Radius = {radius}",
-                  f"set Shape = expression\nset Expression = {ball} - {radius}^2"]
-        for shape in shapes:
-            text = f"""set Dimension = {dim}
+def drop_in_a_box(dim, upper, size, shape, obstacles):
+    """A scene of one drop, and a row of obstacles away from it."""
+    text = f"""set Dimension = {dim}
 subsection Grid
   set Lower corner = {", ".join("0" * dim)}
   set Upper corner = {upper}
@@ -247,32 +241,40 @@ subsection Time
   set Step = 1e-4
 end
 """
-            for i in range(obstacles):
-                lower = ", ".join([f"{0.04 * i + 0.1:g}", "0.1", "0"][:dim])
-                end = ", ".join([f"{0.04 * i + 0.12:g}", "0.2", "0.1"][:dim])
-                text += (f"subsection Obstacle o{i}\n  set Lower corner = {lower}\n"
-                         f"  set Upper corner = {end}\nend\n")
+    for i in range(obstacles):
+        lower = ", ".join([f"{0.04 * i + 0.1:g}", "0.1", "0"][:dim])
+        end = ", ".join([f"{0.04 * i + 0.12:g}", "0.2", "0.1"][:dim])
+        text += (f"subsection Obstacle o{i}\n  set Lower corner = {lower}\n"
+                 f"  set Upper corner = {end}\nend\n")
+    return text
+
+
+def check_bodies(program, problems):
+    """Small bodies are valid, and the plan knows the points of those with a box."""
+    for dim, upper, size, centre, radius, obstacles in SMALL_BODIES:
+        ball = "+".join(f"({x}-{c})^2" for x, c in zip("xyz", centre.split(", ")))
+        for shape in (f"set Shape = ball\nset Centre = {centre}\nset Radius = {radius}",
+                      f"set Shape = expression\nset Expression = {ball} - {radius}^2"):
+            what = f"{dim}D {shape.split()[3]} beside {obstacles} obstacles"
             with tempfile.TemporaryDirectory() as folder:
                 folder = pathlib.Path(folder)
-                (folder / "scene.prm").write_text(text)
-                what = f"{dim}D {shape.split()[3]} beside {obstacles} obstacles"
-                code, out, err, _ = run(program, folder / "scene.prm", [], folder,
-                                        "--validate")
+                scene = folder / "scene.prm"
+                scene.write_text(drop_in_a_box(dim, upper, size, shape, obstacles))
+                code, out, err, _ = run(program, scene, [], folder, "--validate")
                 if code:
                     problems.append(f"{what}: {out}{err}")
                     continue
                 if "ball" not in shape or dim == 3:
                     continue  # unseen, or too many cells for this test
-                plan = plan_of(out)
-                code, _, err, _ = run(program, folder / "scene.prm", [], folder)
+                foretold = plan_of(out)["points"]
+                code, _, err, _ = run(program, scene, [], folder)
                 if code:
                     problems.append(f"{what}: the run: {err}")
                     continue
-                real = json.loads((folder / "run/summary.json").read_text())
-                print(f"{what}: {plan['points']:g} points foretold, {real['points']}")
-                if not 0.7 < plan["points"] / real["points"] < 1.4:
-                    problems.append(f"{what}: {plan['points']} points foretold, "
-                                    f"{real['points']} taken")
+                points = json.loads((folder / "run/summary.json").read_text())["points"]
+                print(f"{what}: {foretold:g} points foretold, {points} taken")
+                if not 0.7 < foretold / points < 1.4:
+                    problems.append(f"{what}: {foretold} points foretold, {points} taken")
 
 
 def check_picture(program, problems):

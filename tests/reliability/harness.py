@@ -25,6 +25,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/restart"))
+import runs  # noqa: E402
 
 AMOUNTS = {  # sample, night, release
     "mutants": (12, 2000, 20000),
@@ -86,6 +87,17 @@ def run(command, folder=None, seconds=None, prepare=None, stdin=subprocess.DEVNU
         os.killpg(process.pid, signal.SIGKILL)
         text, code = process.communicate()[0], HANG
     return Outcome(code, text.decode(errors="replace"), time.monotonic() - begin)
+
+
+def outcome_of(process, begin):
+    """Of a process of runs.Program that began then; killed with its ranks if it hangs."""
+    try:
+        text = process.communicate(timeout=SLOWEST)[0]
+        code = process.returncode
+    except subprocess.TimeoutExpired:
+        runs.kill(process)
+        text, code = "", HANG
+    return Outcome(code, text, time.monotonic() - begin)
 
 
 def limit(kind, size):

@@ -13,13 +13,12 @@ import os
 import pathlib
 import shutil
 import signal
-import subprocess
 import sys
 import time
 
-from harness import (HANG, ROOT, SLOWEST, Account, Outcome, amount, arguments, scratch,
+from harness import (ROOT, SLOWEST, Account, amount, arguments, outcome_of, scratch,
                      within_time)
-from runs import Program, checkpoints, kill, ranks_of
+from runs import Program, checkpoints, ranks_of
 
 sys.path.insert(0, str(ROOT / "tests/ranks"))
 from compare_ranks import difference, read_columns  # noqa: E402
@@ -74,13 +73,7 @@ def interrupt(program, folder, name, times, reached):
             except ProcessLookupError:
                 pass
             time.sleep(0.01)
-    try:
-        text = process.communicate(timeout=SLOWEST)[0]
-        code = process.returncode
-    except subprocess.TimeoutExpired:
-        kill(process)
-        text, code = "", HANG
-    return Outcome(code, text, time.monotonic() - begin), before
+    return outcome_of(process, begin), before
 
 
 def main():

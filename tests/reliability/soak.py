@@ -6,8 +6,8 @@ soak.py SEICHE
 
 Every 1000 steps (a tenth of a short run) it goes on as a restart would. In the two
 periods after step 1000 (after the half of a short run) memory has settled; later the
-resident memory takes at most 1 % more (5 % in a short run, where up to
-4 % were seen in some runs and none in others), and the number of open files does not grow.
+resident memory takes at most 1 % more (5 % in a short run, which shows gross leaks
+only), and the number of open files does not grow.
 """
 import os
 import pathlib

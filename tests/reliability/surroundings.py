@@ -14,12 +14,10 @@ import pathlib
 import re
 import resource
 import shutil
-import subprocess
 import time
 
-from harness import (HANG, ROOT, ROWS, SLOWEST, Account, Outcome, amount, arguments, run,
-                     scratch)
-from runs import Program, checkpoints, kill, ranks_of, read
+from harness import ROOT, ROWS, Account, amount, arguments, outcome_of, run, scratch
+from runs import Program, checkpoints, ranks_of, read
 
 SCENE = ROOT / "tests/restart/dam_break_2d.prm"
 SHORT = ["--set", "Time/End time = 0.1"]
@@ -137,13 +135,7 @@ def with_memory(program, folder, rank, size):
             time.sleep(0.002)
     except (OSError, AttributeError):  # it has ended
         pass
-    try:
-        text = process.communicate(timeout=SLOWEST)[0]
-        code = process.returncode
-    except subprocess.TimeoutExpired:
-        kill(process)
-        text, code = "", HANG
-    return Outcome(code, text, time.monotonic() - begin), most - had
+    return outcome_of(process, begin), most - had
 
 
 def addresses(pid, key):

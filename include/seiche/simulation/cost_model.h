@@ -55,7 +55,7 @@ namespace seiche
   };
 
   /// Time of this machine for a product of small matrices, over that of the
-  /// machine on which the table was measured. Takes some 10 ms. Local.
+  /// machine of the table. Takes some 10 ms. Local.
   double
   slowness();
 } // namespace seiche

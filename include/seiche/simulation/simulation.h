@@ -154,6 +154,10 @@ namespace seiche
     void
     write_failure();
 
+    /// NumericalError, with a frame and advice, if one is lost. Collective.
+    void
+    locate_points();
+
     /// The points alone, as they are: where one of them is lost. Collective.
     void
     write_failed_points();

@@ -2,24 +2,18 @@
 #ifndef seiche_simulation_validation_h
 #define seiche_simulation_validation_h
 
-#include <seiche/scene/fluid_body.h>
-#include <seiche/simulation/scene.h>
-#include <seiche/simulation/scene_plan.h>
+#include <seiche/simulation/planned_scene.h>
 
 #include <string>
-#include <vector>
 
 namespace seiche
 {
-  /// What --validate answers of a checked scene: print what a run would need,
-  /// warn of what is doubtful, draw the scene into @p output + ".svg" (a
+  /// What --validate answers: print what a run would need, warn of what is
+  /// doubtful, draw the scene beside the folder @p output, OUTPUT.svg (a
   /// warning if that fails). No grid, no points. Local.
   template <int dim>
   void
-  validate(const Scene<dim>                  &scene,
-           const std::vector<FluidBody<dim>> &bodies,
-           const ScenePlan<dim>              &plan,
-           const std::string                 &output);
+  validate(const PlannedScene<dim> &planned, const std::string &output);
 } // namespace seiche
 
 #endif
