@@ -29,6 +29,7 @@ namespace seiche
     , free_surface(quadrature_rule == QuadratureRule::cut_cells ?
                      std::make_unique<Surface<dim>>(occupancy) :
                      nullptr)
+    , closed(occupancy)
   {}
 
   template <int dim>
@@ -41,7 +42,9 @@ namespace seiche
     if (has_surface())
       find_surface(points);
     classify(points);
-    look_for_free_surface(points.communicator);
+    closed.update([this](const unsigned int cell) {
+      return has_surface() ? is_full(cell) : occupancy.is_occupied(cell);
+    });
     mark_inner_nodes();
     collect_ghost_faces();
   }
@@ -171,24 +174,6 @@ namespace seiche
           }
       }
     locator.exchange_to_ghosts(cut);
-  }
-
-  template <int dim>
-  void
-  Fill<dim>::look_for_free_surface(const MPI_Comm communicator)
-  {
-    // full, or (material points) occupied cells
-    const auto &cells = occupancy.occupied_cells();
-    const auto  n_filled =
-      has_surface() ?
-         std::count_if(cells.begin(),
-                      cells.end(),
-                      [&](const unsigned int cell) { return is_full(cell); }) :
-         static_cast<std::ptrdiff_t>(cells.size());
-    free_surface_exists =
-      occupancy.has_open_wall() ||
-      Utilities::MPI::sum<std::uint64_t>(n_filled, communicator) <
-        occupancy.n_global_cells();
   }
 
   template <int dim>

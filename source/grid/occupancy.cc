@@ -46,8 +46,6 @@ namespace seiche
   void
   Occupancy<dim>::reinit()
   {
-    const auto &triangulation = locator.grid.triangulation;
-    global_cells              = triangulation.n_global_active_cells();
     dof_handler.distribute_dofs(fe);
     const NodeMasters<dim> masters(dof_handler, locator);
     hanging_nodes.reinit(dof_handler, locator, masters);
@@ -132,10 +130,6 @@ namespace seiche
   {
     const unsigned int n_nodes = nodes_per_cell();
     Vector             mask(full_partitioner);
-    open_wall = false;
-    for (unsigned int wall = 0; wall < locator.grid.n_walls(); ++wall)
-      open_wall =
-        open_wall || locator.grid.wall_condition(wall) == WallCondition::open;
     walls_full.assign(position_full.size(), {});
     fixed_full.assign(position_full.size(), 0);
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)

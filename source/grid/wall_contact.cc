@@ -37,14 +37,15 @@ namespace seiche
 
   template <int dim>
   void
-  WallContact<dim>::collect()
+  WallContact<dim>::collect(const ClosedChambers<dim> *closed)
   {
     const auto &locator = occupancy.locator;
     contacts.clear();
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         {
-          bool unilateral = ((occupancy.dry_components(node) >> c) & 1u) == 0;
+          bool unilateral = ((occupancy.dry_components(node) >> c) & 1u) == 0 &&
+                            (closed == nullptr || !closed->holds_node(node));
           unsigned int sides   = 0;
           double       extent  = std::numeric_limits<double>::max();
           double       spacing = extent;
@@ -74,13 +75,13 @@ namespace seiche
 
   template <int dim>
   void
-  WallContact<dim>::begin(const GridState<dim> &state, const bool closed)
+  WallContact<dim>::begin(const GridState<dim>      &state,
+                          const ClosedChambers<dim> *closed)
   {
-    active      = exists && !closed;
     projections = 0;
-    if (!active)
+    if (!exists)
       return;
-    collect();
+    collect(closed);
     for (Contact &contact : contacts)
       {
         const double mass  = state.mass.local_element(contact.node);
@@ -144,7 +145,7 @@ namespace seiche
   bool
   WallContact<dim>::correct_start(const GridState<dim> &state)
   {
-    if (!active || ++projections == most_projections)
+    if (!exists || ++projections == most_projections)
       return false;
     bool changed = false;
     for (Contact &contact : contacts)
@@ -183,7 +184,7 @@ namespace seiche
   bool
   WallContact<dim>::correct(GridState<dim> &state)
   {
-    if (!active)
+    if (!exists)
       return false;
     bool changed = false;
     for (Contact &contact : contacts)

@@ -39,7 +39,7 @@ namespace seiche
        "Time/Step, or more Points/Per cell and direction"},
       {"unseen air",
        0.001,
-       "a closed domain counts as full of fluid although it holds air: less "
+       "a closed chamber counts as full of fluid although it holds air: less "
        "than a third of a cell under the lid, whose pressure is then not zero",
        "smaller cells, or a level at least half a cell below the lid"}};
 
@@ -58,15 +58,16 @@ namespace seiche
       return Utilities::MPI::sum(difference, view.points.communicator);
     }
 
-    /// [m^dim]
+    /// What points leave free in closed chambers [m^dim].
     template <int dim>
     double
-    volume_of_mesh(const StepView<dim> &view)
+    air_in_closed_chambers(const StepView<dim> &view)
     {
       const auto &locator = view.occupancy.locator;
       double      volume  = 0.;
       for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-        volume += locator.measure(cell);
+        if (view.fill.closed_chambers().holds_cell(cell))
+          volume += (1. - view.fill.cell_fill(cell)) * locator.measure(cell);
       return Utilities::MPI::sum(volume, view.points.communicator);
     }
   } // namespace
@@ -84,13 +85,14 @@ namespace seiche
     static_assert(std::size(quantities) == n_quantities);
     const bool is_incompressible =
       view.bulk_modulus == std::numeric_limits<double>::infinity();
-    const bool   is_full = !view.fill.has_free_surface();
+    const bool   is_full = view.fill.closed_chambers().any();
     const double volume  = ledger.first_volume();
     const std::array<double, n_quantities> values = {
       {excess_seen(view) / volume,
        is_incompressible && !is_full ? ledger.volume_change() : 0.,
        view.fill.overfull_fraction(),
-       is_incompressible && is_full ? 1. - volume / volume_of_mesh(view) : 0.}};
+       is_incompressible && is_full ? air_in_closed_chambers(view) / volume :
+                                      0.}};
     new_alarms.clear();
     for (unsigned int i = 0; i < n_quantities; ++i)
       {

@@ -52,7 +52,7 @@ namespace seiche
     prm.add_parameter("Remove mean",
                       remove_mean,
                       "Subtract the mean from both solutions (pressure in a "
-                      "closed box without free surface).");
+                      "closed chamber without free surface).");
     prm.add_parameter("Scale",
                       scale,
                       "rms and maximum are divided by this, in Pa or m/s.",

@@ -158,22 +158,6 @@ namespace seiche
 
   template <int dim>
   double
-  WallMotion<dim>::volume_change(const double time, const double dt) const
-  {
-    double ratio = 1.;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const auto length = [&](const double t) {
-          return sides[d][1] - sides[d][0] + displacement(2 * d + 1, t) -
-                 displacement(2 * d, t);
-        };
-        ratio *= length(time + dt) / length(time);
-      }
-    return ratio - 1.;
-  }
-
-  template <int dim>
-  double
   WallMotion<dim>::line(const unsigned int direction,
                         const double       place,
                         const double       time) const

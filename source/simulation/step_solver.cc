@@ -154,15 +154,38 @@ namespace seiche
     const double way = wall_way(state.time, state.dt);
     if (way > largest_wall_way * scene.time.maximum_displacement)
       return fmt::format("a wall moves by {:.3g} cells", way);
-    if (assembler.is_closed() &&
-        std::abs(wall_motion.volume_change(state.time, state.dt)) >
-          largest_volume_change)
+    if (wall_motion.any() && walls_squeeze_chamber(state))
       throw NumericalError(fmt::format(
-        "t = {:.6g} s: walls change the volume of a box that is full of "
-        "incompressible fluid. Leave room above the fluid, open a wall or set "
-        "a finite Fluid/Bulk modulus.",
+        "t = {:.6g} s: walls change the volume of a box or chamber that is full "
+        "of incompressible fluid. Leave room above the fluid, open a wall or "
+        "set a finite Fluid/Bulk modulus.",
         state.time));
     return "";
+  }
+
+  template <int dim>
+  bool
+  StepSolver<dim>::walls_squeeze_chamber(const GridState<dim> &state) const
+  {
+    const ClosedChambers<dim> *closed = assembler.closed_chambers();
+    if (closed == nullptr)
+      return false;
+    const auto &chambers = closed->chambers;
+    const auto  lines    = [this](const double time) {
+      return [this, time](const unsigned int direction, const double place) {
+        return wall_motion.line(direction, place, time);
+      };
+    };
+    for (unsigned int chamber = 0; chamber < chambers.size(); ++chamber)
+      if (closed->is_closed(chamber))
+        {
+          const double before = chambers.volume(chamber, lines(state.time));
+          const double after =
+            chambers.volume(chamber, lines(state.time + state.dt));
+          if (std::abs(after / before - 1.) > largest_volume_change)
+            return true;
+        }
+    return false;
   }
 
   template <int dim>
@@ -171,7 +194,7 @@ namespace seiche
                                        const StepCoefficients &coefficients,
                                        const bool              projects)
   {
-    wall_contact.begin(state, assembler.is_closed());
+    wall_contact.begin(state, assembler.closed_chambers());
     while (true)
       {
         wall_conditions.set_start_velocity(state);

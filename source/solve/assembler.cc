@@ -101,11 +101,13 @@ namespace seiche
   }
 
   template <int dim>
-  bool
-  Assembler<dim>::is_closed() const
+  const ClosedChambers<dim> *
+  Assembler<dim>::closed_chambers() const
   {
-    return formulation.has_pressure() &&
-           formulation.material.is_incompressible() && !fill.has_free_surface();
+    const bool has_level = !formulation.has_pressure() ||
+                           !formulation.material.is_incompressible() ||
+                           !fill.closed_chambers().any();
+    return has_level ? nullptr : &fill.closed_chambers();
   }
 
   template <int dim>
@@ -116,8 +118,8 @@ namespace seiche
     residual = 0.;
     add_residual(state, residual);
     residual.compress(VectorOperation::add);
-    if (is_closed())
-      subtract_mean(residual.block(1), state.mass);
+    if (const auto *closed = closed_chambers())
+      closed->balance_rows(residual.block(1), state.mass);
 
     state.reaction = 0.; // components may have been released
     occupancy.for_each_fixed([&](const unsigned int i) {

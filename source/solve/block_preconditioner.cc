@@ -45,8 +45,7 @@ namespace seiche
   BlockPreconditioner<dim>::initialize(const BlockMatrix<dim>  &system_matrix,
                                        const Assembler<dim>    &assembler,
                                        const MaterialConstants &material,
-                                       const Vector            &mass,
-                                       const bool               closed)
+                                       const Vector            &mass)
   {
     matrix                            = &system_matrix;
     kept                              = false;
@@ -64,7 +63,7 @@ namespace seiche
     if (!matrix->has_pressure())
       return;
 
-    if (schur.initialize(*matrix, assembler, material, mass, closed))
+    if (schur.initialize(*matrix, assembler, material, mass))
       kept = true;
   }
 

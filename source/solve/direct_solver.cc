@@ -10,7 +10,7 @@ namespace seiche
   template <int dim>
   bool
   solve_directly(const BlockMatrix<dim>                       &matrix,
-                 const bool                                    closed,
+                 const ClosedChambers<dim>                    *closed,
                  typename BlockMatrix<dim>::BlockVector       &solution,
                  const typename BlockMatrix<dim>::BlockVector &right_hand_side)
   {
@@ -18,12 +18,15 @@ namespace seiche
     const FieldRange   all      = {0, n_fields};
     const auto         system   = epetra_copy(matrix, all, all);
     const Epetra_Map  &map      = system->RowMap();
-    if (closed && map.MyGID(static_cast<int>(dim)))
-      {
-        // any positive number: the pinned value is then zero
-        double &entry = diagonal_entry(*system, map.LID(static_cast<int>(dim)));
-        entry         = entry != 0. ? 2. * entry : 1.;
-      }
+    if (closed != nullptr)
+      for (const types::global_dof_index node : closed->first_nodes())
+        if (const int gid = static_cast<int>(node * n_fields + dim);
+            map.MyGID(gid))
+          {
+            // any positive number: the pinned value is then zero
+            double &entry = diagonal_entry(*system, map.LID(gid));
+            entry         = entry != 0. ? 2. * entry : 1.;
+          }
 
     // entry i of a block: which row of the system
     const auto row = [&](const unsigned int block, const unsigned int i) {
@@ -52,7 +55,7 @@ namespace seiche
 #define INSTANTIATE(dim)                      \
   template bool solve_directly<dim>(          \
     const BlockMatrix<dim> &,                 \
-    const bool,                               \
+    const ClosedChambers<dim> *,              \
     typename BlockMatrix<dim>::BlockVector &, \
     const typename BlockMatrix<dim>::BlockVector &);
   INSTANTIATE(2)

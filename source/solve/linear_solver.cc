@@ -27,21 +27,22 @@ namespace seiche
     constexpr types::global_dof_index rescue_below = 5000;
 
     /// The system with scaled pressure rows, as GMRES wants it; their mean
-    /// left out in a closed domain, as in the residual.
+    /// left out in closed chambers, as in the residual.
     template <int dim>
     struct ScaledOperator
     {
       const BlockMatrix<dim>                &matrix;
       const double                           row_scale;
-      const typename GridState<dim>::Vector *closed_weights;
+      const ClosedChambers<dim>             *closed;
+      const typename GridState<dim>::Vector &mass;
 
       void
       vmult(typename BlockMatrix<dim>::BlockVector       &dst,
             const typename BlockMatrix<dim>::BlockVector &src) const
       {
         matrix.vmult(dst, src);
-        if (closed_weights != nullptr)
-          subtract_mean(dst.block(1), *closed_weights);
+        if (closed != nullptr)
+          closed->balance_rows(dst.block(1), mass);
         if (matrix.has_pressure())
           dst.block(1) *= row_scale;
       }
@@ -137,11 +138,13 @@ namespace seiche
 
   template <int dim>
   void
-  LinearSolver<dim>::initialize(const BlockMatrix<dim> &system_matrix,
-                                const Assembler<dim>   &assembler,
-                                const typename GridState<dim>::Vector &mass)
+  LinearSolver<dim>::initialize(
+    const BlockMatrix<dim>                &system_matrix,
+    const Assembler<dim>                  &assembler,
+    const typename GridState<dim>::Vector &node_mass)
   {
     matrix                          = &system_matrix;
+    mass                            = &node_mass;
     const Occupancy<dim> &occupancy = matrix->occupancy;
     row_scale = material.density * assembler.coefficients().inertia *
                 occupancy.smallest_extent();
@@ -152,11 +155,10 @@ namespace seiche
     direct = parameters.solver == "direct" ||
              (parameters.solver == "automatic" && unknowns < direct_below);
     rescue = parameters.solver == "automatic" && unknowns < rescue_below;
-    closed = assembler.is_closed();
-    closed_weights = closed ? &mass : nullptr;
-    set_up         = [this, &assembler, &mass]() {
+    closed = assembler.closed_chambers();
+    set_up = [this, &assembler]() {
       const TimerTree::Scope scope(timer, "preconditioner");
-      preconditioner.initialize(*matrix, assembler, material, mass, closed);
+      preconditioner.initialize(*matrix, assembler, material, *mass);
     };
     if (!direct)
       set_up();
@@ -210,8 +212,8 @@ namespace seiche
         if (!result.converged && rescue)
           factorise();
       }
-    if (closed)
-      solution.block(1).add(-solution.block(1).mean_value());
+    if (closed != nullptr)
+      closed->level_pressure(solution.block(1));
     if (is_injected(Fault::update) && solution.block(0).locally_owned_size())
       solution.block(0).local_element(0) =
         std::numeric_limits<double>::quiet_NaN();
@@ -233,7 +235,7 @@ namespace seiche
     result.reduction = 1.;
     if (!std::isfinite(target))
       return result;
-    const ScaledOperator<dim> scaled_matrix{*matrix, row_scale, closed_weights};
+    const ScaledOperator<dim> scaled_matrix{*matrix, row_scale, closed, *mass};
     result.converged =
       gmres.solve(scaled_matrix,
                   solution,

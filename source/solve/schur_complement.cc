@@ -21,8 +21,8 @@ namespace seiche
     /// beyond it 1e-50 of one. Measured, doc/performance.md.
     constexpr double least_volume = 0.1;
 
-    /// Share of the diagonal that makes the singular Laplacian of a closed
-    /// box definite.
+    /// Share of the diagonal that makes the singular Laplacian of closed
+    /// chambers definite.
     constexpr double closed_shift = 1e-7;
 
     DistributedRows
@@ -57,11 +57,10 @@ namespace seiche
   SchurComplement<dim>::initialize(const BlockMatrix<dim>  &system_matrix,
                                    const Assembler<dim>    &assembler,
                                    const MaterialConstants &material,
-                                   const Vector            &mass,
-                                   const bool               is_closed)
+                                   const Vector            &mass)
   {
     matrix                                = &system_matrix;
-    closed                                = is_closed;
+    closed                                = assembler.closed_chambers();
     const StepCoefficients &c             = assembler.coefficients();
     const Stabilization    &stabilization = assembler.formulation.stabilization;
     set_viscous_part(2. * material.viscosity(c) * c.rate,
@@ -147,7 +146,7 @@ namespace seiche
     Epetra_CrsMatrix *sum = &S;
     EpetraExt::MatrixMatrix::Add(*D, false, 1., CG, false, -1., sum);
     S.FillComplete();
-    if (closed)
+    if (closed != nullptr)
       for (int i = 0; i < S.NumMyRows(); ++i)
         diagonal_entry(S, i) *= 1. + closed_shift;
     return rows_of(S,
@@ -190,7 +189,7 @@ namespace seiche
     const unsigned int      diagonal = pattern.diagonal_of(node);
     f(pattern.column_of(diagonal),
       (scale * matrix->diagonal(node, dim) + surface) *
-        (closed ? 1. + closed_shift : 1.));
+        (closed != nullptr ? 1. + closed_shift : 1.));
     if (matrix->is_empty(node))
       return;
     for (unsigned int k = first; k < pattern.row_begin(node + 1); ++k)
@@ -251,8 +250,8 @@ namespace seiche
   void
   SchurComplement<dim>::vmult(Vector &z, Vector &r) const
   {
-    if (closed)
-      r.add(-r.mean_value());
+    if (closed != nullptr)
+      closed->remove_constants(r);
     if (hierarchy)
       hierarchy->vmult(z, r);
     else
@@ -262,8 +261,8 @@ namespace seiche
       for (unsigned int i = 0; i < volume.locally_owned_size(); ++i)
         z.local_element(i) +=
           viscous_factor * r.local_element(i) / volume.local_element(i);
-    if (closed)
-      z.add(-z.mean_value());
+    if (closed != nullptr)
+      closed->remove_constants(z);
   }
 
   template class SchurComplement<2>;

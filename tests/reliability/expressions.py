@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random expressions, right and wrong ones, in all entries that take them.
 
-expressions.py SEICHE
+expressions.py SEICHE MPIRUN STARTS
 
 --validate ends with exit code 0, or 2 with a message that names the file. What is
 valid is computed for two steps: exit code 0, 2 or 3, and no number in the results
@@ -11,7 +11,7 @@ that is not finite.
 import pathlib
 import sys
 
-from harness import ROOT, Account, amount, arguments, chance, over_all, run, scratch
+from harness import ROOT, Account, Starts, amount, arguments, chance, over_all, scratch
 
 sys.path.insert(0, str(ROOT / "tests/input"))
 from check_input import SCENE  # noqa: E402
@@ -81,20 +81,21 @@ def main():
     account = Account("expressions")
     runs = Account("expressions that were computed")
     with scratch() as folder:
+        starts = Starts(options.starts, folder)
+
         def one(case):
             luck = chance(case)
             old, new = luck.choice(PLACES)
             scene = pathlib.Path(folder, f"{case}.prm")
             scene.write_text(SCENE.replace(old, new.replace("{}", make(luck))),
                              encoding="utf-8")
-            outcome = run([options.seiche, scene, "--validate"], folder)
+            outcome = starts.run(scene, "--validate")
             account.add(case, outcome, {0, 2},
                         "a message without the file" if outcome.code == 2 and
                         str(scene) not in outcome.text else "", [scene])
             if outcome.code == 0:
                 out = pathlib.Path(folder, f"out-{case}")
-                outcome = run([options.seiche, scene, "--output", out, "--max-hours",
-                               "0.003"], folder)
+                outcome = starts.run(scene, "--output", out, "--max-hours", "0.003")
                 runs.add(case, outcome, {0, 2, 3}, not_finite(out), [scene])
 
         over_all(one, range(amount("expressions")))

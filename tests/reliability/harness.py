@@ -89,6 +89,30 @@ def run(command, folder=None, seconds=None, prepare=None, stdin=subprocess.DEVNU
     return Outcome(code, text.decode(errors="replace"), time.monotonic() - begin)
 
 
+class Starts:
+    """Starts of the program on one rank by the test program `starts`, which loads the
+    libraries once for each thread: as run(), for a third of the time."""
+
+    def __init__(self, program, folder):
+        self.command = [program, str(round(SLOWEST))]
+        self.folder, self.own = folder, threading.local()
+
+    def run(self, *arguments_of_start):
+        if not hasattr(self.own, "server"):
+            self.own.printed = tempfile.NamedTemporaryFile(dir=self.folder)
+            self.own.server = subprocess.Popen(
+                self.command, cwd=self.folder, stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        begin = time.monotonic()
+        words = [self.own.printed.name, *map(str, arguments_of_start)]
+        self.own.server.stdin.write("\t".join(words) + "\n")
+        self.own.server.stdin.flush()
+        code = int(self.own.server.stdout.readline())
+        text = pathlib.Path(self.own.printed.name).read_text(errors="replace")
+        return Outcome(HANG if code == -signal.SIGALRM else code, text,
+                       time.monotonic() - begin)
+
+
 def outcome_of(process, begin):
     """Of a process of runs.Program that began then; killed with its ranks if it hangs."""
     try:
@@ -179,6 +203,7 @@ def arguments(text):
     parser = argparse.ArgumentParser(description=text)
     parser.add_argument("seiche", type=os.path.abspath)
     parser.add_argument("mpirun", nargs="?", default="mpirun")
+    parser.add_argument("starts", nargs="?", type=os.path.abspath)
     return parser.parse_args()
 
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Parameter files of the project, damaged at random.
 
-mutants.py SEICHE
+mutants.py SEICHE MPIRUN STARTS
 
 Each mutant is read with --validate: exit code 0, or 2 with a message that names
 the file, and no file made. One in ten is also computed for a moment: it may end
@@ -11,7 +11,7 @@ in any way that the README lists but 1.
 import pathlib
 import shutil
 
-from harness import ROOT, Account, amount, arguments, chance, over_all, run, scratch
+from harness import ROOT, Account, Starts, amount, arguments, chance, over_all, scratch
 
 VALUES = ["", "0", "-1", "1", "2", "3", "1e-300", "1e300", "-1e308", "nan", "inf",
           "-inf", "infinite", "1e", "0x10", "4294967296", "18446744073709551616", "1,1",
@@ -101,6 +101,7 @@ def main():
     options = arguments(__doc__)
     account, runs = Account("mutants"), Account("mutants that were computed")
     with scratch() as folder:
+        starts = Starts(options.starts, folder)
         # scenes refer to tables and other files beside them
         tree = pathlib.Path(folder)
         for part in ("prm", "tests"):
@@ -116,8 +117,7 @@ def main():
                           luck.choice(files).read_text(encoding="utf-8"))
             mutant = origin.with_name(f"{origin.stem}-{case}.mutant")
             mutant.write_text(text, encoding="utf-8")
-            outcome = run([options.seiche, mutant, "--validate", "--output",
-                           tree / f"out-{case}"], folder)
+            outcome = starts.run(mutant, "--validate", "--output", tree / f"out-{case}")
             problem = ""
             if outcome.code == 2 and str(mutant) not in outcome.text and \
                     str(origin.parent) not in outcome.text:
@@ -131,8 +131,7 @@ def main():
 
         def compute(case, mutant):
             out = tree / f"run-{case}"
-            outcome = run([options.seiche, mutant, "--output", out, "--max-hours", "0.0005"],
-                          folder)
+            outcome = starts.run(mutant, "--output", out, "--max-hours", "0.0005")
             runs.add(case, outcome, {0, 2, 3, 4, 5, 6},
                      "" if outcome.text.strip() else "no message", [mutant])
             shutil.rmtree(out, ignore_errors=True)

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Damaged tables (CSV) as references of scores.
 
-tables.py SEICHE
+tables.py SEICHE MPIRUN STARTS
 
 --validate ends with exit code 0, or 2 with a message that names the table.
 """
 import pathlib
 import sys
 
-from harness import ROOT, Account, amount, arguments, chance, over_all, run, scratch
+from harness import ROOT, Account, Starts, amount, arguments, chance, over_all, scratch
 
 sys.path.insert(0, str(ROOT / "tests/input"))
 from check_input import SCENE  # noqa: E402
@@ -58,6 +58,8 @@ def main():
     options = arguments(__doc__)
     account = Account("tables")
     with scratch() as folder:
+        starts = Starts(options.starts, folder)
+
         def one(case):
             luck = chance(case)
             data = pathlib.Path(folder, f"{case}.csv")
@@ -65,7 +67,7 @@ def main():
             data.write_bytes(table(luck))
             scene.write_text(SCENE + SCORE.format(
                 table=data.name, interpolation=luck.choice(["linear", "spline"])))
-            outcome = run([options.seiche, scene, "--validate"], folder)
+            outcome = starts.run(scene, "--validate")
             account.add(case, outcome, {0, 2},
                         "a message without the table" if outcome.code == 2 and
                         data.name not in outcome.text else "", [data, scene])

@@ -2,6 +2,7 @@
 #ifndef seiche_grid_fill_h
 #define seiche_grid_fill_h
 
+#include <seiche/grid/closed_chambers.h>
 #include <seiche/grid/point_boxes.h>
 #include <seiche/grid/surface.h>
 
@@ -109,12 +110,11 @@ namespace seiche
       return cut[cell];
     }
 
-    /// True if the fluid does not fill the domain, or a side is open: the
-    /// pressure is then known with its constant.
-    bool
-    has_free_surface() const
+    /// Chambers whose cells are all full (material points: occupied).
+    const ClosedChambers<dim> &
+    closed_chambers() const
     {
-      return free_surface_exists;
+      return closed;
     }
 
     /// Own cells on which elements of degree 2 are multilinear: at the surface
@@ -204,8 +204,6 @@ namespace seiche
     void
     classify(const PointCloud<dim> &points);
     void
-    look_for_free_surface(const MPI_Comm communicator);
-    void
     mark_inner_nodes();
     void
     collect_ghost_faces();
@@ -221,8 +219,8 @@ namespace seiche
     std::vector<char>                   linear;
     Vector                              node_fill, inner;
     std::vector<GhostFace>              faces;
-    double                              overfull            = 0.;
-    bool                                free_surface_exists = true;
+    double                              overfull = 0.;
+    ClosedChambers<dim>                 closed;
   };
 } // namespace seiche
 

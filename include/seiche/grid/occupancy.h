@@ -357,19 +357,6 @@ namespace seiche
       return smallest;
     }
 
-    /// Active cells of the mesh, all ranks.
-    std::uint64_t
-    n_global_cells() const
-    {
-      return global_cells;
-    }
-
-    bool
-    has_open_wall() const
-    {
-      return open_wall;
-    }
-
     /// Values [2^dim] at the vertices of an active cell of a nodal vector whose
     /// shape functions are those of FE_Q(1) on the mesh, whatever elements the
     /// unknowns have (set_linear()): fills, level set. Own and ghost nodes must
@@ -457,9 +444,7 @@ namespace seiche
     std::vector<double>                                        volume_full;
     std::vector<dealii::Point<dim>>                            position_full;
     std::vector<std::vector<NodeWall>>                         walls_full;
-    std::uint64_t                                              global_cells = 0;
     double                                                     smallest = 0.;
-    bool open_wall                                                      = false;
 
     // compact numbering
     bool                      is_numbered = false;

@@ -2,6 +2,7 @@
 #ifndef seiche_grid_wall_contact_h
 #define seiche_grid_wall_contact_h
 
+#include <seiche/grid/closed_chambers.h>
 #include <seiche/grid/wall_conditions.h>
 #include <seiche/scene/body_force.h>
 
@@ -24,7 +25,7 @@ namespace seiche
    * condition with impulses; the old pressure's counts as part of them, for it
    * will press during the step.
    *
-   * A domain full of an incompressible fluid knows the pressure up to a
+   * In chambers full of an incompressible fluid the pressure is known up to a
    * constant only: there all nodes stay fixed.
    */
   template <int dim>
@@ -47,10 +48,10 @@ namespace seiche
     }
 
     /// Begin an attempt at a step: free is what moves from the wall faster
-    /// than the old pressure stops it. @p closed: the pressure is known up to a
-    /// constant. Collective.
+    /// than the old pressure stops it. @p closed: where the pressure is known up
+    /// to a constant; null if nowhere. Collective.
     void
-    begin(const GridState<dim> &state, const bool closed);
+    begin(const GridState<dim> &state, const ClosedChambers<dim> *closed);
 
     /// Correct the set after a projection of velocity_start with
     /// state.reaction = (impulse)/dt. True if it has changed. Collective.
@@ -83,7 +84,7 @@ namespace seiche
 
     /// Contacts of the nodes as they are numbered, and lie, in this step.
     void
-    collect();
+    collect(const ClosedChambers<dim> *closed);
 
     bool
     is_fixed(const Contact &contact) const
@@ -106,8 +107,7 @@ namespace seiche
     const BodyForce<dim>      &body_force;
     const double               density;
     const bool                 exists;
-    bool                       active      = false; ///< in this step
-    unsigned int               projections = 0;     ///< of this attempt
+    unsigned int               projections = 0; ///< of this attempt
     std::vector<Contact>       contacts;
     const StepCoefficients    *coefficients = nullptr;
     const Vector              *rate_offset  = nullptr;

@@ -50,10 +50,6 @@ namespace seiche
     double
     largest_way(const double time, const double dt) const;
 
-    /// Relative change of the box's volume in that step [-].
-    double
-    volume_change(const double time, const double dt) const;
-
     /// The box of the grid at @p time.
     dealii::BoundingBox<dim>
     box(const double time) const;

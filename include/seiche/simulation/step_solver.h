@@ -106,6 +106,10 @@ namespace seiche
     std::string
     problem_of_walls(const GridState<dim> &state) const;
 
+    /// True if the step would change the volume of a closed chamber.
+    bool
+    walls_squeeze_chamber(const GridState<dim> &state) const;
+
     /// Start velocity of a step that satisfies the walls and, if @p projects,
     /// the constraint; empty, or why not.
     std::string

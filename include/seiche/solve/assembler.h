@@ -14,15 +14,6 @@
 
 namespace seiche
 {
-  /// Take a multiple of the weights from the rows, so that these add up to
-  /// zero. Collective.
-  template <typename Vector>
-  void
-  subtract_mean(Vector &rows, const Vector &weights)
-  {
-    rows.add(-rows.mean_value() / weights.mean_value(), weights);
-  }
-
   /**
    * @brief Loops over occupied cells and ghost faces: residual and tangent.
    *
@@ -61,19 +52,19 @@ namespace seiche
     void
     projected_terms(const GridState<dim> &state, BlockVector &sums);
 
-    /// True if the pressure is known up to a constant: no free surface, no
-    /// finite bulk modulus. The rows of the volume then add up to zero.
-    bool
-    is_closed() const;
+    /// Where the pressure is known up to a constant; null if nowhere (a finite
+    /// bulk modulus, no pressure).
+    const ClosedChambers<dim> *
+    closed_chambers() const;
 
     /// Residual of the state; the part of fixed components goes to
-    /// state.reaction instead, their residual is zero. In a closed domain the
+    /// state.reaction instead, their residual is zero. In closed chambers the
     /// mean of the volume's rows, which no increment changes, is left out.
     /// Collective.
     void
     residual(GridState<dim> &state, BlockVector &residual);
 
-    /// Derivative of residual() (in a closed domain but for the mean that it
+    /// Derivative of residual() (in closed chambers but for the mean that it
     /// leaves out). Collective.
     void
     tangent(const GridState<dim> &state, BlockMatrix<dim> &matrix);

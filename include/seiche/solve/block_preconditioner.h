@@ -41,8 +41,7 @@ namespace seiche
     initialize(const BlockMatrix<dim>  &matrix,
                const Assembler<dim>    &assembler,
                const MaterialConstants &material,
-               const Vector            &mass,
-               const bool               closed);
+               const Vector            &mass);
 
     /// Drop everything (a new step, a failed solve): the next initialize()
     /// builds all of it.

@@ -2,20 +2,21 @@
 #ifndef seiche_solve_direct_solver_h
 #define seiche_solve_direct_solver_h
 
+#include <seiche/grid/closed_chambers.h>
 #include <seiche/solve/block_matrix.h>
 
 namespace seiche
 {
   /**
    * Solve the system with a sparse factorisation (Amesos KLU; several ranks
-   * gather on one). @p closed: the pressure is known up to a constant, one of
-   * its rows is pinned. Returns false, and leaves
-   * the solution as it was, if the matrix is singular. Collective.
+   * gather on one). @p closed: where the pressure is known up to a constant, one
+   * of its rows is pinned; null if nowhere. Returns false, and leaves the
+   * solution as it was, if the matrix is singular. Collective.
    */
   template <int dim>
   bool
   solve_directly(const BlockMatrix<dim>                       &matrix,
-                 const bool                                    closed,
+                 const ClosedChambers<dim>                    *closed,
                  typename BlockMatrix<dim>::BlockVector       &solution,
                  const typename BlockMatrix<dim>::BlockVector &right_hand_side);
 } // namespace seiche

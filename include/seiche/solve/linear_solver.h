@@ -93,8 +93,8 @@ namespace seiche
     /// Reduce the scaled residual by @p tolerance, from zero. A solve that
     /// fails with a preconditioner of an earlier matrix is repeated with a new
     /// one, then, if the solver is "automatic" and the system not large,
-    /// directly. The mean of the
-    /// pressure is zero where only its gradient counts. Collective.
+    /// directly. The mean of the pressure is zero in closed chambers, where
+    /// only its gradient counts. Collective.
     LinearResult
     solve(BlockVector       &solution,
           const BlockVector &right_hand_side,
@@ -117,9 +117,9 @@ namespace seiche
     std::function<void()>        set_up; ///< of the preconditioner
     double                       row_scale = 1.;
     bool                         direct    = false;
-    bool                         rescue    = false; ///< direct after failure
-    bool                         closed    = false; ///< p up to a constant
-    const typename GridState<dim>::Vector *closed_weights = nullptr;
+    bool                         rescue    = false;   ///< direct after failure
+    const ClosedChambers<dim>   *closed    = nullptr; ///< null: none
+    const typename GridState<dim>::Vector *mass = nullptr;
     BlockPreconditioner<dim>               preconditioner;
     FlexibleGMRES<BlockVector>             gmres;
     BlockVector                            scaled;

@@ -28,15 +28,13 @@ namespace seiche
 
     explicit SchurComplement(const MultigridMethod &method);
 
-    /// Set up for a newly assembled matrix; @p mass [kg] lumped, of nodes;
-    /// @p closed: pressure known up to a constant. True if the hierarchy or
-    /// the factors of an earlier matrix serve. Collective.
+    /// Set up for a newly assembled matrix; @p mass [kg] lumped, of nodes. True
+    /// if the hierarchy or the factors of an earlier matrix serve. Collective.
     bool
     initialize(const BlockMatrix<dim>  &matrix,
                const Assembler<dim>    &assembler,
                const MaterialConstants &material,
-               const Vector            &mass,
-               const bool               closed);
+               const Vector            &mass);
 
     /// The next initialize() keeps nothing.
     void
@@ -45,7 +43,7 @@ namespace seiche
       generation = 0;
     }
 
-    /// z = S^-1 r; in a closed domain the mean of both is left out.
+    /// z = S^-1 r; in closed chambers the mean of both is left out.
     /// Collective.
     void
     vmult(Vector &z, Vector &r) const;
@@ -85,11 +83,11 @@ namespace seiche
                           const double       surface,
                           const Function    &f) const;
 
-    const MultigridMethod  &method;
-    const BlockMatrix<dim> *matrix     = nullptr;
-    bool                    closed     = false;
-    unsigned int            generation = 0;  ///< pattern, 0: none
-    double                  factor     = 1.; ///< S^-1 = factor * hierarchy
+    const MultigridMethod     &method;
+    const BlockMatrix<dim>    *matrix     = nullptr;
+    const ClosedChambers<dim> *closed     = nullptr; ///< null: none
+    unsigned int               generation = 0;       ///< pattern, 0: none
+    double                     factor     = 1.; ///< S^-1 = factor * hierarchy
 
     // one of these two
     std::unique_ptr<Multigrid> hierarchy;
