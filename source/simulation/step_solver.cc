@@ -156,9 +156,9 @@ namespace seiche
       return fmt::format("a wall moves by {:.3g} cells", way);
     if (wall_motion.any() && walls_squeeze_chamber(state))
       throw NumericalError(fmt::format(
-        "t = {:.6g} s: walls change the volume of a box or chamber that is full "
-        "of incompressible fluid. Leave room above the fluid, open a wall or "
-        "set a finite Fluid/Bulk modulus.",
+        "t = {:.6g} s: walls change the volume of a chamber that is full of "
+        "incompressible fluid. Leave room above the fluid, open a wall or set "
+        "a finite Fluid/Bulk modulus.",
         state.time));
     return "";
   }

@@ -191,8 +191,7 @@ namespace
         preconditioner.initialize(bench.matrix,
                                   bench.assembler,
                                   bench.scene.material(),
-                                  bench.state.mass,
-                                  /*closed=*/false);
+                                  bench.state.mass);
       }
     state.SetItemsProcessed(state.iterations() * bench.occupancy.n_own_nodes());
   }
@@ -207,8 +206,7 @@ namespace
     preconditioner.initialize(bench.matrix,
                               bench.assembler,
                               bench.scene.material(),
-                              bench.state.mass,
-                              /*closed=*/false);
+                              bench.state.mass);
     for (auto _ : state)
       preconditioner.vmult(bench.solution, bench.residual);
     state.SetItemsProcessed(state.iterations() * bench.occupancy.n_own_nodes());
