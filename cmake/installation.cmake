@@ -29,7 +29,8 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
 
 # The scripts stay together, for they import modules beside them: Python looks
 # where a link leads to.
-set(scripts seiche-plot:plot_run seiche-study:study seiche-pictures:pictures)
+set(scripts seiche-plot:plot_run seiche-study:study seiche-pictures:pictures
+  seiche-mpirun:mpirun)
 file(GLOB modules contrib/seiche_*.py)
 list(FILTER modules EXCLUDE REGEX "seiche_paper")
 install(FILES ${modules} DESTINATION ${seiche_share}/scripts COMPONENT program)

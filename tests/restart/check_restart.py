@@ -330,6 +330,43 @@ def stopped_by_mpirun(make, folder, ranks):
     require_close(whole, parts)
 
 
+def killed_by_mpirun(make, folder, ranks):
+    """A second Ctrl-C ends the ranks at once, also those that do not answer, and says
+    so."""
+    program = make(SCENE_2D, ranks, ["Checkpoint/Every steps = 0", "Output/Interval = 0",
+                                     "Time/Step = 0.0001", "Time/Step control = fixed"])
+    launcher = [os.path.join(HERE, "../../contrib/mpirun"), *program.launcher[1:]]
+    parts = f"{folder}/parts"
+    os.environ["MPIRUN"] = program.launcher[0]
+
+    def ranks_alive():
+        found = []
+        for entry in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                words = (entry / "cmdline").read_bytes().decode().split("\0")
+                if words[0] == program.command[0] and parts in words:
+                    found.append(int(entry.name))
+            except (OSError, UnicodeDecodeError):
+                pass  # it has ended
+        return found
+
+    process = program.start(parts, launcher=launcher, session=True)
+    wait_for_rows(process, parts, 10)
+    hung = ranks_alive()
+    assert len(hung) == ranks, ranks_alive()
+    for rank in hung:
+        os.kill(rank, signal.SIGSTOP)  # would never write a checkpoint
+    os.killpg(process.pid, signal.SIGINT)
+    time.sleep(1.)
+    begin = time.monotonic()
+    os.killpg(process.pid, signal.SIGINT)
+    text = process.communicate(timeout=60)[0]
+    assert time.monotonic() - begin < 10., time.monotonic() - begin
+    assert process.returncode == 1, f"{process.returncode}: {text}"
+    assert "once more kills it" in text and "killed; what" in text, text
+    assert not ranks_alive(), ranks_alive()
+
+
 def stopped_unread(make, folder, _):
     """Nobody reads the screen any more, as after `seiche ... | head -1`; a second
     signal after the last line does no harm."""
@@ -393,7 +430,8 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "stopped_unread": (stopped_unread, 1),
          "stopped_in_time": (stopped_in_time, 1),
          "stopped_2_ranks": (stopped, 2),
-         "stopped_by_mpirun_2_ranks": (stopped_by_mpirun, 2)}
+         "stopped_by_mpirun_2_ranks": (stopped_by_mpirun, 2),
+         "killed_by_mpirun_2_ranks": (killed_by_mpirun, 2)}
 
 
 def main():
