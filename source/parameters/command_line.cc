@@ -15,41 +15,55 @@ namespace seiche
 {
   namespace
   {
-    [[noreturn]] void
-    refuse(const std::string &problem)
+    /// All options with what they take, the file first.
+    std::string
+    usage(const CLI::App &app)
     {
-      throw InputError(
-        "command line: " + problem +
-        " Usage: seiche FILE.prm [--set \"Subsection/Entry = "
-        "value\"]... [--output DIR] [--restart] [--max-hours H] [--validate] "
-        "[--print-parameters] [--example [NAME]] [--self-test] [--version] "
-        "[--help]");
+      std::string file, options;
+      for (const CLI::Option *option : app.get_options())
+        {
+          if (option->get_positional())
+            {
+              file += " " + option->get_name();
+              continue;
+            }
+          const std::string type = option->get_type_name();
+          options += " [--" + option->get_lnames().front() +
+                     (option->get_items_expected_max() == 0 || type.empty() ?
+                        "" :
+                        " " + type) +
+                     "]" + (option->get_items_expected_max() > 1 ? "..." : "");
+        }
+      return app.get_name() + file + options;
+    }
+
+    [[noreturn]] void
+    refuse(const CLI::App &app, const std::string &problem)
+    {
+      throw InputError("command line: " + problem + " Usage: " + usage(app));
     }
 
     /// Options must be known; a second file is one too many.
     void
-    check_remaining(const std::vector<std::string> &remaining)
+    check_remaining(const CLI::App &app)
     {
+      const std::vector<std::string> remaining = app.remaining();
       if (remaining.empty())
         return;
       const std::string &first = remaining.front();
       if (first.empty() || first[0] != '-')
-        refuse("there is no place for \"" + first +
-               "\"; one parameter file is enough, and a text with blanks "
-               "needs quotes.");
-      const std::string name = first.substr(0, first.find('='));
-      const std::string hint = nearest_hint(name,
-                                            {"--set",
-                                             "--output",
-                                             "--restart",
-                                             "--max-hours",
-                                             "--validate",
-                                             "--print-parameters",
-                                             "--example",
-                                             "--self-test",
-                                             "--version",
-                                             "--help"});
-      refuse("unknown option \"" + name + "\"" + (hint.empty() ? "." : hint));
+        refuse(app,
+               "there is no place for \"" + first +
+                 "\"; one parameter file is enough, and a text with blanks "
+                 "needs quotes.");
+      const std::string        name = first.substr(0, first.find('='));
+      std::vector<std::string> known;
+      for (const CLI::Option *option : app.get_options())
+        for (const std::string &long_name : option->get_lnames())
+          known.push_back("--" + long_name);
+      const std::string hint = nearest_hint(name, known);
+      refuse(app,
+             "unknown option \"" + name + "\"" + (hint.empty() ? "." : hint));
     }
 
     /// What a scene says of itself: the first sentence of its comment.
@@ -71,7 +85,7 @@ namespace seiche
 
     /// Of --example: the scene, or the list of them.
     std::string
-    example_text(const std::string &name)
+    example_text(const CLI::App &app, const std::string &name)
     {
       std::string              list;
       std::vector<std::string> names;
@@ -85,10 +99,11 @@ namespace seiche
                   first_sentence(file.text) + "\n";
         }
       if (!name.empty())
-        refuse("there is no example \"" + name + "\"" +
-               (nearest_hint(name, names).empty() ?
-                  ". Examples: " + quoted_list(names) + "." :
-                  nearest_hint(name, names)));
+        refuse(app,
+               "there is no example \"" + name + "\"" +
+                 (nearest_hint(name, names).empty() ?
+                    ". Examples: " + quoted_list(names) + "." :
+                    nearest_hint(name, names)));
       return list + "\nTo start:  seiche --example " + names.front() +
              " > scene.prm && seiche scene.prm\n";
     }
@@ -116,23 +131,29 @@ namespace seiche
                  "method.",
                  "seiche");
     app.allow_extras();
-    app.add_option("FILE.prm", result.filename, "Parameter file of the scene");
+    app.add_option("FILE.prm", result.filename, "Parameter file of the scene")
+      ->type_name("");
     app
       .add_option("--set",
                   result.overrides,
-                  "Change an entry: \"Subsection/Entry = value\"")
+                  "Change an entry; any number of times")
+      ->type_name("\"Subsection/Entry = value\"")
       ->allow_extra_args(false);
     CLI::Option *output =
-      app.add_option("--output",
-                     result.output,
-                     "Folder of the results [name of the file]");
+      app
+        .add_option("--output",
+                    result.output,
+                    "Folder of the results [name of the file]")
+        ->type_name("DIR");
     app.add_flag("--restart",
                  result.restart,
                  "Go on from the newest checkpoint in that folder");
-    app.add_option("--max-hours",
-                   result.max_hours,
-                   "Wall time after which the run has stopped with a "
-                   "checkpoint");
+    app
+      .add_option("--max-hours",
+                  result.max_hours,
+                  "Wall time after which the run has stopped with a "
+                  "checkpoint")
+      ->type_name("H");
     app.add_flag("--validate",
                  result.validate,
                  "Check everything, foretell time and memory, draw the scene "
@@ -168,25 +189,26 @@ namespace seiche
       }
     catch (const CLI::ParseError &error)
       {
-        refuse(std::string(error.what()) + ".");
+        refuse(app, std::string(error.what()) + ".");
       }
 
-    check_remaining(app.remaining());
+    check_remaining(app);
     if (version)
       result.text = version_text();
     else if (example->count() > 0)
-      result.text = example_text(example_name);
+      result.text = example_text(app, example_name);
     if (result.self_test && !result.filename.empty())
-      refuse("--self-test has scenes of its own: leave out \"" +
-             result.filename + "\".");
+      refuse(app,
+             "--self-test has scenes of its own: leave out \"" +
+               result.filename + "\".");
     if (!result.text.empty() || result.print_parameters || result.self_test)
       return result;
     if (result.filename.empty())
-      refuse("no parameter file is given.");
+      refuse(app, "no parameter file is given.");
     if (!(result.max_hours > 0.))
-      refuse("--max-hours needs a time greater than zero [h].");
+      refuse(app, "--max-hours needs a time greater than zero [h].");
     if (output->count() > 0 && result.output.empty())
-      refuse("--output needs the name of a folder.");
+      refuse(app, "--output needs the name of a folder.");
     if (result.output.empty())
       result.output = std::filesystem::path(result.filename).stem().string();
     return result;

@@ -47,6 +47,19 @@ def version(_):
         require(project in (SOURCE / file).read_text(), f"{file} does not know {project}")
 
 
+def options(_):
+    """Known to --help, to the usage of a mistake and to the manual alike."""
+    names = re.findall(r"^  (?:-h,)?(--[\w-]+)", run(PROGRAM, "--help"), re.M)
+    require(len(names) > 8, f"{names}")
+    usage = run(PROGRAM, code=2).split("Usage: ")[1].strip()
+    page = (SOURCE / "doc/command_line.md").read_text()
+    require(f"\nbuild/{usage}\n" in page, f"doc/command_line.md lacks\n{usage}")
+    for name in names:
+        require(f"[{name}" in usage and (f"| `{name}" in page or name == "--help"), name)
+        mistyped = run(PROGRAM, name + "x", code=2)
+        require(f'did you mean "{name}"' in mistyped, mistyped)
+
+
 def examples(folder):
     names = names_of_examples()
     shipped = sorted(file.stem for file in (SOURCE / "prm/examples").glob("*.prm"))
@@ -143,8 +156,13 @@ def install(folder):
     run(programs / "seiche", "dam.prm", "--set", "Time/End time = 0.1", cwd=folder)
     run(programs / "seiche-plot", "dam", cwd=folder)
     require(list((folder / "dam/pictures").glob("*.png")), "no picture")
-    for script in ("seiche-study", "seiche-pictures"):
+    for script in ("seiche-study", "seiche-pictures", "seiche-mpirun"):
         run(programs / script, "--help")
+    root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    printed = run(programs / "seiche-mpirun", "-n", "2", "--oversubscribe", programs / "seiche",
+                  "dam.prm", "--set", "Time/End time = 0.02", cwd=folder,
+                  env={**os.environ, **root})
+    require("2 ranks" in printed and "finished" in printed, printed)
     # Debian's numpy belongs to Debian's interpreter
     lines = run("/usr/bin/python3", "-c",
                 'from seiche_output import Run; print(len(Run("dam").statistics))', cwd=folder,
