@@ -4,6 +4,7 @@
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/exceptions.h>
 #include <seiche/utilities/failure_text.h>
+#include <seiche/utilities/result_names.h>
 #include <seiche/utilities/state_archive.h>
 
 #include <deal.II/base/mpi.h>
@@ -47,7 +48,7 @@ namespace seiche
         if (Utilities::MPI::this_mpi_process(communicator) == 0)
           remove_later_frames(extensions);
       });
-    return fmt::format("{}_{:06d}", name, frames++);
+    return result_names::frame(name, frames++);
   }
 
   void
@@ -94,7 +95,7 @@ namespace seiche
       if (filled[r])
         {
           pieces.push_back(n == 1 ? stem + ".vtu" :
-                                    fmt::format("{}.{:04d}.vtu", stem, r));
+                                    result_names::piece(stem, r));
           if (r == rank)
             own_piece = path + pieces.back();
         }
@@ -120,7 +121,7 @@ namespace seiche
   void
   FrameSeries::write_index() const
   {
-    checked_file::write(settings.directory + "/" + name + ".pvd",
+    checked_file::write(settings.directory + "/" + result_names::index(name),
                         [&](std::ostream &out) {
                           DataOutBase::write_pvd_record(out, index);
                         });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/field_patches.h>
 #include <seiche/postprocess/grid_output.h>
+#include <seiche/utilities/result_names.h>
 
 #include <deal.II/base/geometry_info.h>
 
@@ -119,7 +120,7 @@ namespace seiche
     const FrameSettings                       &settings,
     const std::shared_ptr<NodalPressure<dim>> &nodal_pressure,
     const MPI_Comm                             communicator)
-    : series("grid", settings, communicator)
+    : series(result_names::grid, settings, communicator)
     , pressure(nodal_pressure)
   {}
 

@@ -2,6 +2,7 @@
 #include <seiche/postprocess/paraview_state.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/first_rank.h>
+#include <seiche/utilities/result_names.h>
 
 namespace seiche
 {
@@ -168,7 +169,7 @@ if sys.argv[-1].endswith(".png"):
     if (view.step > 0)
       return;
     on_first_rank(communicator, [&]() {
-      checked_file::write(directory + "/paraview_state.py",
+      checked_file::write(directory + "/" + result_names::paraview,
                           [](std::ostream &out) { out << state; });
     });
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/field_patches.h>
 #include <seiche/postprocess/point_output.h>
+#include <seiche/utilities/result_names.h>
 
 #include <fmt/format.h>
 
@@ -54,7 +55,7 @@ namespace seiche
   template <int dim>
   PointOutput<dim>::PointOutput(const FrameSettings &settings,
                                 const MPI_Comm       communicator)
-    : series("points", settings, communicator)
+    : series(result_names::points, settings, communicator)
   {}
 
   template <int dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/gathered_points.h>
 #include <seiche/postprocess/point_series.h>
+#include <seiche/utilities/result_names.h>
 
 namespace seiche
 {
@@ -9,7 +10,7 @@ namespace seiche
   template <int dim>
   PointSeries<dim>::PointSeries(const FrameSettings &settings,
                                 const MPI_Comm       communicator)
-    : series("points", settings, communicator)
+    : series(result_names::points, settings, communicator)
   {}
 
   template <int dim>

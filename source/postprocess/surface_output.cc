@@ -2,6 +2,7 @@
 #include <seiche/postprocess/field_patches.h>
 #include <seiche/postprocess/moved_surface.h>
 #include <seiche/postprocess/surface_output.h>
+#include <seiche/utilities/result_names.h>
 
 #include <deal.II/grid/reference_cell.h>
 
@@ -44,7 +45,7 @@ namespace seiche
   template <int dim>
   SurfaceOutput<dim>::SurfaceOutput(const FrameSettings &settings,
                                     const MPI_Comm       communicator)
-    : series("surface", settings, communicator)
+    : series(result_names::surface, settings, communicator)
   {}
 
   template <int dim>

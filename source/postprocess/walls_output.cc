@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/field_patches.h>
 #include <seiche/postprocess/walls_output.h>
+#include <seiche/utilities/result_names.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
@@ -62,7 +63,7 @@ namespace seiche
                                 const MPI_Comm             communicator)
     : parameters(grid.parameters)
     , is_first_rank(Utilities::MPI::this_mpi_process(communicator) == 0)
-    , series("walls", settings, communicator)
+    , series(result_names::walls, settings, communicator)
   {}
 
   template <int dim>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/checkpoint_folder.h>
+#include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/exceptions.h>
 #include <seiche/utilities/first_rank.h>
+#include <seiche/utilities/result_names.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -9,7 +11,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 namespace seiche
 {
@@ -17,15 +18,19 @@ namespace seiche
   {
     /// Names in a folder that match, in full; none if it does not exist.
     std::vector<std::string>
-    matching(const std::string &directory, const std::string &pattern)
+    checkpoints(const std::string &directory, const bool with_unfinished)
     {
-      const std::regex         expression(pattern);
       std::vector<std::string> names;
       std::error_code          error;
       for (const auto &entry :
            std::filesystem::directory_iterator(directory, error))
-        if (std::regex_match(entry.path().filename().string(), expression))
-          names.push_back(entry.path().filename().string());
+        {
+          const std::string name  = entry.path().filename().string();
+          const std::string whole = checked_file::final_name(name);
+          if (result_names::is_checkpoint(whole) &&
+              (with_unfinished || name == whole))
+            names.push_back(name);
+        }
       return names;
     }
 
@@ -55,7 +60,7 @@ namespace seiche
   std::vector<std::string>
   CheckpointFolder::list() const
   {
-    auto names = matching(directory, "checkpoint-[0-9]+\\.h5");
+    auto names = checkpoints(directory, /*with_unfinished=*/false);
     std::sort(names.begin(),
               names.end(),
               [](const std::string &a, const std::string &b) {
@@ -130,7 +135,7 @@ namespace seiche
                           StateArchive          &state,
                           RunReport             &report)
   {
-    const std::string name = fmt::format("checkpoint-{:06}.h5", step);
+    const std::string name = result_names::checkpoint(step);
     Checkpoint::write(directory + "/" + name, points, state, parameters);
     if (name != current) // else a stop in the middle of the next step
       previous = current;
@@ -158,7 +163,7 @@ namespace seiche
   {
     std::vector<std::string> problems;
     for (const std::string &name :
-         matching(directory, "checkpoint-[0-9]+\\.h5(\\.writing)?"))
+         checkpoints(directory, /*with_unfinished=*/true))
       if (name != keep && name != keep_too)
         {
           std::error_code error;

@@ -3,13 +3,13 @@
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/exceptions.h>
 #include <seiche/utilities/folder_name.h>
+#include <seiche/utilities/result_names.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <vector>
 
 namespace seiche
@@ -36,20 +36,11 @@ namespace seiche
     Evidence
     evidence(const std::string &name)
     {
-      // every file of doc/output.md
-      static const std::regex file_of_run(
-        "(summary\\.json|parameters\\.prm|run\\.log|progress\\.json|"
-        "timing\\.txt|methods\\.bib|paraview_state\\.py|probes\\.csv|"
-        "probe_[^/]+\\.csv|(points|grid|surface|walls)\\.pvd|"
-        "(points|grid|surface|walls)_[0-9]{6,}(\\.[0-9]{4,})?\\.(vtu|pvtu|h5)|"
-        "checkpoint-[0-9]+\\.h5|failure)(\\.writing)?");
-      static const std::regex checkpoint("checkpoint-[0-9]+\\.h5");
-      if (name == "statistics.csv")
+      if (name == result_names::statistics)
         return Evidence::statistics;
-      if (std::regex_match(name, checkpoint))
+      if (result_names::is_checkpoint(name))
         return Evidence::checkpoint;
-      return std::regex_match(name, file_of_run) ? Evidence::none :
-                                                   Evidence::foreign;
+      return result_names::is_result(name) ? Evidence::none : Evidence::foreign;
     }
 
     /// Names of what a run has written into a folder, what shows its worth
@@ -61,10 +52,11 @@ namespace seiche
       std::error_code          error;
       for (const auto &entry : fs::directory_iterator(folder, error))
         {
-          const std::string name = entry.path().filename().string();
-          const auto        type = entry.symlink_status().type();
-          const auto right = name == "failure" ? fs::file_type::directory :
-                                                 fs::file_type::regular;
+          const std::string name  = entry.path().filename().string();
+          const auto        type  = entry.symlink_status().type();
+          const auto        right = name == result_names::failure ?
+                                      fs::file_type::directory :
+                                      fs::file_type::regular;
           if (evidence(name) != Evidence::foreign && type == right)
             names.push_back(name);
         }
@@ -201,7 +193,7 @@ namespace seiche
     const std::vector<std::string> names = files_of_run(directory);
     if (!has_step(directory, names))
       {
-        if (std::find(names.begin(), names.end(), "statistics.csv") !=
+        if (std::find(names.begin(), names.end(), result_names::statistics) !=
             names.end()) // else nobody knows whose they are
           remove_files_of_run(directory);
         return false;

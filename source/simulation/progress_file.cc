@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/progress_file.h>
 #include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/result_names.h>
 
 #include <nlohmann/json.hpp>
 
@@ -47,7 +48,7 @@ namespace seiche
     text["seconds_left"] = nullptr;
     if (std::isfinite(values.seconds_left))
       text["seconds_left"] = std::round(values.seconds_left);
-    checked_file::write(directory + "/progress.json",
+    checked_file::write(directory + "/" + result_names::progress,
                         [&](std::ostream &stream) {
                           stream << text.dump(2) << '\n';
                         });

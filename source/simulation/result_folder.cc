@@ -3,6 +3,7 @@
 #include <seiche/utilities/compatibility.h>
 #include <seiche/utilities/first_rank.h>
 #include <seiche/utilities/references.h>
+#include <seiche/utilities/result_names.h>
 #include <seiche/utilities/version.h>
 
 #include <deal.II/base/mpi.h>
@@ -18,7 +19,7 @@ namespace seiche
     write_parameters(const dealii::ParameterHandler &prm,
                      const std::string              &directory)
     {
-      checked_file::write(directory + "/parameters.prm",
+      checked_file::write(directory + "/" + result_names::parameters,
                           [&](std::ostream &stream) {
                             prm.print_parameters(
                               stream,
@@ -39,7 +40,7 @@ namespace seiche
       input.cites(always_cited);
       input.cites(compatibility::dealii_paper);
       checked_file::write(
-        directory + "/methods.bib", [&](std::ostream &stream) {
+        directory + "/" + result_names::references, [&](std::ostream &stream) {
           stream
             << "% What a text about this run should cite, from the options "
                "of its scene.\n% Of the program itself: CITATION.cff. "

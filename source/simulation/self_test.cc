@@ -5,6 +5,7 @@
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/embedded_files.h>
 #include <seiche/utilities/first_rank.h>
+#include <seiche/utilities/result_names.h>
 #include <seiche/utilities/timer_tree.h>
 #include <seiche/utilities/version.h>
 
@@ -124,10 +125,10 @@ namespace seiche
       bool        passed = false;
       std::string text;
       on_first_rank(communicator, [&]() {
-        const auto summary = nlohmann::json::parse(
-          checked_file::read(command_line.output + "/summary.json"));
-        passed = summary.at("verdict").at("failed").empty();
-        text   = scores(summary) + failures(summary);
+        const auto summary = nlohmann::json::parse(checked_file::read(
+          command_line.output + "/" + result_names::summary));
+        passed             = summary.at("verdict").at("failed").empty();
+        text               = scores(summary) + failures(summary);
       });
       line = text;
       return dealii::Utilities::MPI::broadcast(communicator, passed);

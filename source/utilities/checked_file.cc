@@ -98,10 +98,12 @@ namespace seiche
         fail(folder, "synchronise", error, 0);
     }
 
+    const std::string ending_while_written = ".writing";
+
     std::string
     temporary_name(const std::string &filename)
     {
-      return filename + ".writing";
+      return filename + ending_while_written;
     }
 
     /**
@@ -210,6 +212,19 @@ namespace seiche
                -1;
     }
   } // namespace
+
+
+
+  std::string
+  checked_file::final_name(const std::string &name)
+  {
+    const std::size_t ending = ending_while_written.size();
+    return name.size() > ending && name.compare(name.size() - ending,
+                                                ending,
+                                                ending_while_written) == 0 ?
+             name.substr(0, name.size() - ending) :
+             name;
+  }
 
 
 

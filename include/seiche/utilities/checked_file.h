@@ -23,6 +23,10 @@ namespace seiche
     void
     make_directory(const std::string &directory);
 
+    /// The name that a file has once it is whole; @p name itself if it is.
+    std::string
+    final_name(const std::string &name);
+
     /// Write @p filename by @p fill under the protocol above. FileError names
     /// the file, the bytes and the cause. Local.
     void
