@@ -18,30 +18,9 @@ import subprocess
 import sys
 import tempfile
 
-SCENE = """\
-set Dimension = 2
-subsection Grid
-  set Lower corner = 0, 0
-  set Upper corner = 1.0, 0.5
-  set Cell size    = 0.1
-end
-subsection Body force
-  set Acceleration = 0; -9.81
-end
-subsection Fluid
-  set Density           = 1000
-  set Dynamic viscosity = 0.001
-  set Bulk modulus      = infinite
-end
-subsection Fluid body column
-  set Lower corner = 0, 0
-  set Upper corner = 0.4, 0.3
-end
-subsection Time
-  set End time = 0.02
-  set Step     = 0.01
-end
-"""
+from scenes import box_scene
+
+SCENE = box_scene()
 
 INPUT, FILES = 2, 4
 

@@ -3,8 +3,8 @@
 """Does --validate foretell what a run needs, fast, and refuse what cannot be?
 
 sizes: runs shipped scenes for a while; cells, points, steps, memory, files and
-processor time must be those of the plan within a factor of two. dearer: what
-viscosity and formulas add. limits: grids and clouds of 10^8, too many steps,
+processor time must be those of the plan within a factor of two. steps: of walls
+and tanks that move. dearer: what viscosity and formulas add. limits: grids and clouds of 10^8, too many steps,
 full disks, years. bodies: small ones. picture: the SVG.
 """
 
@@ -17,6 +17,8 @@ import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree
+
+from scenes import box_scene
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PRM = ROOT / "prm"
@@ -42,29 +44,9 @@ DEARER = [
     ("verification/manufactured_compressible.prm",),
 ]
 
-BOX = """set Dimension = 3
-subsection Grid
-  set Lower corner = 0, 0, 0
-  set Upper corner = 2, 1, 1
-  set Cell size = 0.1
-end
-subsection Fluid
-  set Density = 1000
-  set Dynamic viscosity = 0.001
-  set Bulk modulus = infinite
-end
-subsection Fluid body column
-  set Lower corner = 0, 0, 0
-  set Upper corner = 1, 1, 0.5
-end
-subsection Body force
-  set Acceleration = 0; 0; -9.81
-end
-subsection Time
-  set End time = 1
-  set Step = 0.01
-end
-"""
+BOX = box_scene("2, 1, 1", water="1, 1, 0.5", end="1")
+POND = (box_scene("1, 0.3", "0.025", "1, 0.1", end="0.25", step="0.05")
+        + "subsection Time\n  set Step control = CFL\nend\n")
 
 
 def run(program, scene, overrides, folder, *options):
@@ -133,6 +115,42 @@ def check_sizes(program, problems):
     print(f"processor time foretold over taken, all scenes: {share:.2f}")
     if not 0.5 <= share <= 2.:
         problems.append(f"processor time {share:.2f} of what was taken")
+
+
+MOVING_WALLS = [  # shallow water, so that it is the wall that limits the steps
+    ("a piston", "subsection Walls\n"
+     "  set Left displacement = 0.05*(1 - cos(2*pi*t/0.25))\nend\n"),
+    ("a belt", "subsection Walls\n  set Bottom = no-slip\n"
+     "  set Bottom velocity = 3*min(t/0.02, 1); 0\nend\n"),
+    ("a tank", "subsection Tank motion\n"
+     "  set Displacement = 0.1*sin(2*pi*t/0.4); 0\nend\n"),
+    ("a roll", "subsection Tank motion\n"
+     "  set Rotation = 0.2*sin(2*pi*t/0.4)\n  set Centre = 0.5, -0.5\nend\n"),
+]
+
+
+def check_steps(program, problems):
+    """Of the CFL number, where walls and tanks move faster than the water falls."""
+    for what, motion in MOVING_WALLS:
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            scene = folder / "scene.prm"
+            scene.write_text(POND + motion)
+            code, out, err, _ = run(program, scene, [], folder, "--validate")
+            if code:
+                problems.append(f"{what}: {out}{err}")
+                continue
+            foretold = plan_of(out)["steps"]
+            code, out, err, _ = run(program, scene, [], folder)
+            if code:
+                problems.append(f"{what}: the run: {err}")
+                continue
+            taken = json.loads((folder / "run/summary.json").read_text())["steps"]
+            print(f"{what}: {foretold:g} steps foretold, {taken} taken")
+            if not 0.5 <= foretold / taken <= 2.:
+                problems.append(f"{what}: {foretold:g} steps foretold, {taken} taken")
+            if "walls move with up to" not in out:
+                problems.append(f"{what}: the banner does not say how fast: " + out.split("\n")[2])
 
 
 def share_foretold(program, name, overrides):
@@ -217,30 +235,10 @@ SMALL_BODIES = [  # in cells between lines of the map, beside many obstacles
 ]
 
 
-def drop_in_a_box(dim, upper, size, shape, obstacles):
+def drop_in_a_box(upper, size, shape, obstacles):
     """A scene of one drop, and a row of obstacles away from it."""
-    text = f"""set Dimension = {dim}
-subsection Grid
-  set Lower corner = {", ".join("0" * dim)}
-  set Upper corner = {upper}
-  set Cell size = {size}
-end
-subsection Fluid
-  set Density = 1
-  set Dynamic viscosity = 0
-  set Bulk modulus = infinite
-end
-subsection Body force
-  set Acceleration = {"; ".join("0" * dim)}
-end
-subsection Fluid body drop
-{shape}
-end
-subsection Time
-  set End time = 1e-4
-  set Step = 1e-4
-end
-"""
+    text = box_scene(upper, size, end="1e-4", step="1e-4", shape=shape)
+    dim = upper.count(",") + 1
     for i in range(obstacles):
         lower = ", ".join([f"{0.04 * i + 0.1:g}", "0.1", "0"][:dim])
         end = ", ".join([f"{0.04 * i + 0.12:g}", "0.2", "0.1"][:dim])
@@ -259,7 +257,7 @@ def check_bodies(program, problems):
             with tempfile.TemporaryDirectory() as folder:
                 folder = pathlib.Path(folder)
                 scene = folder / "scene.prm"
-                scene.write_text(drop_in_a_box(dim, upper, size, shape, obstacles))
+                scene.write_text(drop_in_a_box(upper, size, shape, obstacles))
                 code, out, err, _ = run(program, scene, [], folder, "--validate")
                 if code:
                     problems.append(f"{what}: {out}{err}")
@@ -325,7 +323,8 @@ def check_picture(program, problems):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=pathlib.Path)
-    checks = {"sizes": check_sizes, "dearer": check_dearer, "limits": check_limits,
+    checks = {"sizes": check_sizes, "steps": check_steps,
+              "dearer": check_dearer, "limits": check_limits,
               "bodies": check_bodies, "picture": check_picture}
     parser.add_argument("group", choices=checks)
     options = parser.parse_args()

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_file.h>
+#include <seiche/scene/largest_wall_speed.h>
+#include <seiche/scene/sample_times.h>
+#include <seiche/scene/wall_motion.h>
+#include <seiche/scene/wall_velocity.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Corners and middles of a box, which may be flat.
+    template <int dim>
+    std::vector<Point<dim>>
+    corners_and_middles(const BoundingBox<dim> &box)
+    {
+      std::vector<Point<dim>> result = {Point<dim>()};
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          const auto before = std::move(result);
+          result.clear();
+          for (const double share : {0., 0.5, 1.})
+            for (Point<dim> x : before)
+              {
+                x[d] = box.lower_bound(d) + share * box.side_length(d);
+                result.push_back(x);
+              }
+        }
+      return result;
+    }
+
+    /// The box of a side or an obstacle.
+    template <int dim>
+    BoundingBox<dim>
+    box_of_wall(const GridParameters<dim> &grid, const unsigned int wall)
+    {
+      if (wall >= 2 * dim)
+        {
+          const auto &obstacle = grid.obstacles[wall - 2 * dim];
+          return BoundingBox<dim>(
+            {obstacle.lower_corner, obstacle.upper_corner});
+        }
+      auto corners = grid.domain().get_boundary_points();
+      (wall % 2 == 0 ? corners.second : corners.first)[wall / 2] =
+        (wall % 2 == 0 ? corners.first : corners.second)[wall / 2];
+      return BoundingBox<dim>(corners);
+    }
+
+    template <int dim>
+    double
+    speed_along_walls(const GridParameters<dim> &grid,
+                      const InputFile           &input,
+                      const double               end_time)
+    {
+      const WallVelocity<dim> velocity(grid, input, end_time);
+      double                  result = 0.;
+      for (unsigned int wall = 0; wall < grid.n_walls(); ++wall)
+        if (!grid.wall_velocity_text(wall).empty())
+          for (const Point<dim> &x :
+               corners_and_middles(box_of_wall(grid, wall)))
+            try
+              {
+                for (const double t : sample_times(end_time))
+                  result = std::max(result, velocity.value(wall, x, t).norm());
+              }
+            catch (const InputError &)
+              {}
+      return result;
+    }
+
+    template <int dim>
+    double
+    speed_of_sides(const GridParameters<dim> &grid,
+                   const InputFile           &input,
+                   const double               end_time)
+    {
+      const WallMotion<dim> motion(grid, input, end_time);
+      double                result = 0., before = 0.;
+      if (motion.any())
+        for (const double t : sample_times(end_time))
+          {
+            if (t > before)
+              result =
+                std::max(result,
+                         motion.largest_way(before, t - before) / (t - before));
+            before = t;
+          }
+      return result;
+    }
+
+    template <int dim>
+    double
+    speed_of_tank(const GridParameters<dim> &grid,
+                  const TankMotion<dim>     &tank,
+                  const double               end_time)
+    {
+      if (!tank.any())
+        return 0.;
+      const Point<dim> middle = grid.domain().center();
+      const auto       place  = [&](const double t) {
+        const TankPose<dim> &pose = tank.at(t);
+        return Tensor<1, dim>(pose.displacement +
+                              pose.rotation * (middle - tank.centre));
+      };
+      const std::vector<double> times = sample_times(end_time);
+      Tensor<1, dim>            first;
+      double                    result = 0.;
+      for (std::size_t i = 1; i < times.size() && end_time > 0.; ++i)
+        {
+          const Tensor<1, dim> velocity =
+            (place(times[i]) - place(times[i - 1])) / (times[i] - times[i - 1]);
+          if (i == 1)
+            first = velocity;
+          result = std::max(result, (velocity - first).norm());
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  largest_wall_speed(const GridParameters<dim> &grid,
+                     const TankMotion<dim>     &tank,
+                     const InputFile           &input,
+                     const double               end_time)
+  {
+    return std::max({speed_along_walls(grid, input, end_time),
+                     speed_of_sides(grid, input, end_time),
+                     speed_of_tank(grid, tank, end_time)});
+  }
+
+
+
+  template double
+  largest_wall_speed(const GridParameters<2> &,
+                     const TankMotion<2> &,
+                     const InputFile &,
+                     const double);
+  template double
+  largest_wall_speed(const GridParameters<3> &,
+                     const TankMotion<3> &,
+                     const InputFile &,
+                     const double);
+} // namespace seiche
