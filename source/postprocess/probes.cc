@@ -4,6 +4,7 @@
 #include <seiche/postprocess/place_with_walls.h>
 #include <seiche/postprocess/probes.h>
 #include <seiche/utilities/axis_names.h>
+#include <seiche/utilities/result_names.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
@@ -62,14 +63,32 @@ namespace seiche
     bool
     holds_fluid(const Point<dim> &x, const GridParameters<dim> &box)
     {
-      const double slack = 1e-10 * box.lower_corner.distance(box.upper_corner);
-      if (nearest_face(x, box.lower_corner, box.upper_corner).first > slack)
+      // on a wall is exactly there
+      const Point<dim> there = box.with_sides(x, box.domain());
+      if (nearest_face(there, box.lower_corner, box.upper_corner).first > 0.)
         return false;
       for (const auto &obstacle : box.obstacles)
-        if (nearest_face(x, obstacle.lower_corner, obstacle.upper_corner)
-              .first < -slack)
+        if (nearest_face(there, obstacle.lower_corner, obstacle.upper_corner)
+              .first < 0.)
           return false;
       return true;
+    }
+
+    /// What lies beyond a periodic side is at the opposite one.
+    template <int dim>
+    Point<dim>
+    across_seams(Point<dim> x, const GridParameters<dim> &grid)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (grid.is_periodic(d))
+          {
+            const double length = grid.upper_corner[d] - grid.lower_corner[d];
+            if (x[d] < grid.lower_corner[d])
+              x[d] += length;
+            else if (x[d] > grid.upper_corner[d])
+              x[d] -= length;
+          }
+      return x;
     }
   } // namespace
 
@@ -90,8 +109,8 @@ namespace seiche
     prm.add_parameter("Diameter",
                       diameter,
                       "Diameter of a sensor over which the mean is taken, in "
-                      "the plane of the nearest wall (2D: a line); 0: a "
-                      "point. [m]",
+                      "the plane of the nearest wall (2D: a line), also "
+                      "across periodic sides; 0: a point. [m]",
                       Patterns::Double(0.));
     sensor.add_parameters(prm);
   }
@@ -109,9 +128,8 @@ namespace seiche
     for (const Point<dim> &x : places(grid))
       input.require(holds_fluid(x, grid),
                     section + "/Diameter",
-                    "the sensor reaches beyond the wall that it lies in, or "
-                    "across a periodic side; choose a smaller diameter or move "
-                    "it.");
+                    "the sensor reaches beyond the wall that it lies in; "
+                    "choose a smaller diameter or move it.");
     sensor.check(input, section);
   }
 
@@ -165,7 +183,7 @@ namespace seiche
           {
             Point<dim> x = position;
             x[1 - normal] += diameter * ((i + 0.5) / n - 0.5);
-            result.push_back(x);
+            result.push_back(across_seams(x, grid));
           }
       }
     else
@@ -182,7 +200,7 @@ namespace seiche
               Point<dim> x = position;
               x[(normal + 1) % dim] += radius * std::cos(angle);
               x[(normal + 2) % dim] += radius * std::sin(angle);
-              result.push_back(x);
+              result.push_back(across_seams(x, grid));
             }
       }
     return result;
@@ -196,7 +214,8 @@ namespace seiche
                       const bool                                 writes)
     : probes(parameters)
     , pressure(nodal_pressure)
-    , table(directory.empty() ? "" : directory + "/probes.csv", writes)
+    , table(directory.empty() ? "" : directory + "/" + result_names::probes,
+            writes)
   {
     for (const auto &probe : probes)
       {
@@ -204,8 +223,10 @@ namespace seiche
         signals.emplace_back(probe.reading_columns().size(),
                              SensorSignal(probe.sensor));
         const bool has_file = !directory.empty() && probe.sensor.rate > 0.;
-        samples.emplace_back(
-          has_file ? directory + "/probe_" + probe.name + ".csv" : "", writes);
+        samples.emplace_back(has_file ? directory + "/" +
+                                          result_names::samples(probe.name) :
+                                        "",
+                             writes);
       }
   }
 

@@ -3,6 +3,7 @@
 #include <seiche/parameters/nearest_name.h>
 #include <seiche/postprocess/wall_forces.h>
 #include <seiche/postprocess/wall_names.h>
+#include <seiche/scene/wall_slack.h>
 #include <seiche/utilities/axis_names.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -30,11 +31,12 @@ namespace seiche
     /// Whether a node lies on that face of a box; "all" is any place.
     template <int dim>
     bool
-    lies_on(const Point<dim>  &x,
-            const std::string &face,
-            const Point<dim>  &lower,
-            const Point<dim>  &upper,
-            const unsigned int component)
+    lies_on(const Point<dim>       &x,
+            const std::string      &face,
+            const Point<dim>       &lower,
+            const Point<dim>       &upper,
+            const BoundingBox<dim> &domain,
+            const unsigned int      component)
     {
       if (face == "all")
         return true;
@@ -44,7 +46,7 @@ namespace seiche
           const double       place = side % 2 == 0 ? lower[d] : upper[d];
           if (face == side_name<dim>(side))
             return component == d &&
-                   std::abs(x[d] - place) < 1e-8 * (upper[d] - lower[d]);
+                   std::abs(x[d] - place) <= wall_slack(domain.side_length(d));
         }
       return false;
     }
@@ -154,8 +156,12 @@ namespace seiche
     if (wall < 2 * dim)
       return force.face == "all";
     const auto &box = grid.parameters.obstacles[wall - 2 * dim];
-    return lies_on(
-      x, force.face, box.lower_corner, box.upper_corner, component);
+    return lies_on(x,
+                   force.face,
+                   box.lower_corner,
+                   box.upper_corner,
+                   grid.parameters.domain(),
+                   component);
   }
 
   template <int dim>

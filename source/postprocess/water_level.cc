@@ -2,6 +2,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/postprocess/place_with_walls.h>
 #include <seiche/postprocess/water_level.h>
+#include <seiche/scene/wall_slack.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -54,11 +55,14 @@ namespace seiche
                               const GridParameters<dim> &box) const
   {
     for (unsigned int d = 0; d + 1 < dim; ++d)
-      input.require(position[d] >= box.lower_corner[d] &&
-                      position[d] <= box.upper_corner[d],
-                    std::string(kind) + " " + name + "/Position",
-                    "the gauge stands outside the domain; its horizontal "
-                    "coordinates must lie between the corners of \"Grid\".");
+      {
+        const double slack = wall_slack(box.domain().side_length(d));
+        input.require(position[d] >= box.lower_corner[d] - slack &&
+                        position[d] <= box.upper_corner[d] + slack,
+                      std::string(kind) + " " + name + "/Position",
+                      "the gauge stands outside the domain; its horizontal "
+                      "coordinates must lie between the corners of \"Grid\".");
+      }
   }
 
   template <int dim>
@@ -94,20 +98,20 @@ namespace seiche
   {
     const double bottom = box.lower_corner[dim - 1];
     return obstacle.lower_corner[dim - 1] <=
-           bottom + 1e-9 * (box.upper_corner[dim - 1] - bottom);
+           bottom + wall_slack(box.upper_corner[dim - 1] - bottom);
   }
 
   template <int dim>
   bool
   WaterLevel<dim>::is_over_obstacle(const Point<dim> &place) const
   {
-    const auto is_inside = [&place](const Obstacle &obstacle) {
+    const auto is_inside = [&](const Obstacle &obstacle) {
       for (unsigned int d = 0; d + 1 < dim; ++d)
         {
           const double lower = obstacle.lower_corner[d],
                        upper = obstacle.upper_corner[d],
-                       edge  = 1e-9 * (upper - lower);
-          if (place[d] < lower + edge || place[d] > upper - edge)
+                       slack = wall_slack(box.domain().side_length(d));
+          if (place[d] < lower + slack || place[d] > upper - slack)
             return false;
         }
       return true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/scene/background_grid.h>
+#include <seiche/scene/wall_slack.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/table.h>
@@ -18,13 +19,15 @@ namespace seiche
     void
     insert_line(std::vector<GridSegment> &segments, const double place)
     {
+      const double slack =
+        wall_slack(segments.back().end - segments.front().begin);
       for (auto segment = segments.begin(); segment != segments.end();
            ++segment)
         {
           const double size = (segment->end - segment->begin) / segment->cells;
-          if (place <= segment->begin + 1e-9 * size)
+          if (place <= segment->begin + slack)
             return; // the line between two segments, or the domain's side
-          if (place >= segment->end - 1e-9 * size)
+          if (place >= segment->end - slack)
             continue;
           GridSegment  upper  = *segment;
           const double offset = (place - segment->begin) / size;
@@ -236,16 +239,18 @@ namespace seiche
             continue;
           const unsigned int       direction = face / 2;
           const dealii::Point<dim> centre    = cell->face(face)->center();
-          const double tolerance = 1e-6 * cell->extent_in_direction(direction);
-          const double side      = face % 2 == 0 ?
-                                     parameters.lower_corner[direction] :
-                                     parameters.upper_corner[direction];
-          dealii::types::boundary_id id = face;
-          if (std::abs(centre[direction] - side) > tolerance)
+          const double             slack =
+            wall_slack(parameters.domain().side_length(direction));
+          const double               side = face % 2 == 0 ?
+                                              parameters.lower_corner[direction] :
+                                              parameters.upper_corner[direction];
+          dealii::types::boundary_id id   = face;
+          if (std::abs(centre[direction] - side) > slack)
             {
-              // across the face there must be an obstacle
+              // across the face there must be an obstacle, whose own may lie
+              // farther by the slack
               dealii::Point<dim> beyond = centre;
-              beyond[direction] += (face % 2 == 0 ? -tolerance : tolerance);
+              beyond[direction] += (face % 2 == 0 ? -2. : 2.) * slack;
               unsigned int i = 0;
               while (i < parameters.obstacles.size() &&
                      !dealii::BoundingBox<dim>(

@@ -3,6 +3,7 @@
 #include <seiche/scene/entry_values.h>
 #include <seiche/scene/fluid_body.h>
 #include <seiche/scene/polygon_region.h>
+#include <seiche/scene/wall_slack.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -179,7 +180,7 @@ namespace seiche
     {
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const double      tolerance = 1e-10 * domain.side_length(d);
+          const double      tolerance = wall_slack(domain.side_length(d));
           const std::string size =
             body.shape == "box" ?
               (box.lower_bound(d) < domain.lower_bound(d) - tolerance ?

@@ -3,6 +3,7 @@
 #include <seiche/scene/background_grid.h>
 #include <seiche/scene/entry_values.h>
 #include <seiche/scene/grid_parameters.h>
+#include <seiche/scene/wall_slack.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -267,15 +268,19 @@ namespace seiche
   GridParameters<dim>::with_sides(const dealii::Point<dim>       &place,
                                   const dealii::BoundingBox<dim> &box) const
   {
-    constexpr double slack    = 1e-9; // of the domain: on a side
     const auto [low, high]    = box.get_boundary_points();
     dealii::Point<dim> result = place;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const double length = upper_corner[d] - lower_corner[d];
-        if (std::abs(place[d] - lower_corner[d]) <= slack * length)
+        const double slack = wall_slack(upper_corner[d] - lower_corner[d]);
+        for (const Obstacle &obstacle : obstacles)
+          for (const double face :
+               {obstacle.lower_corner[d], obstacle.upper_corner[d]})
+            if (std::abs(place[d] - face) <= slack)
+              result[d] = face;
+        if (std::abs(place[d] - lower_corner[d]) <= slack)
           result[d] = low[d];
-        else if (std::abs(place[d] - upper_corner[d]) <= slack * length)
+        else if (std::abs(place[d] - upper_corner[d]) <= slack)
           result[d] = high[d];
       }
     return result;

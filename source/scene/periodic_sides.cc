@@ -3,6 +3,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/scene/background_grid.h>
 #include <seiche/scene/side_entry.h>
+#include <seiche/scene/wall_slack.h>
 
 #include <fmt/format.h>
 
@@ -56,7 +57,7 @@ namespace seiche
     const unsigned int direction) const
   {
     const double tolerance =
-      1e-9 * (upper_corner[direction] - lower_corner[direction]);
+      wall_slack(upper_corner[direction] - lower_corner[direction]);
     for (const Obstacle &obstacle : obstacles)
       {
         const bool at_lower = obstacle.lower_corner[direction] <=

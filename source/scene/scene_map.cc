@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/scene/background_grid.h>
 #include <seiche/scene/scene_map.h>
+#include <seiche/scene/wall_slack.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace seiche
     std::vector<double>
     distinct(std::vector<double> places, const double lower, const double upper)
     {
-      const double tolerance = 1e-9 * (upper - lower);
+      const double tolerance = wall_slack(upper - lower);
       places.push_back(upper);
       std::sort(places.begin(), places.end());
       std::vector<double> result = {lower};

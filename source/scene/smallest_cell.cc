@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/scene/background_grid.h>
 #include <seiche/scene/smallest_cell.h>
+#include <seiche/scene/wall_slack.h>
 
 #include <cmath>
 
@@ -15,13 +16,13 @@ namespace seiche
               const unsigned int         direction,
               const double               place)
     {
-      const double tolerance = 1e-9 * grid.domain().side_length(direction);
+      const double tolerance = wall_slack(grid.domain().side_length(direction));
       for (const auto &obstacle : grid.obstacles)
         for (const bool is_lower : {true, false})
           {
             const double corner = (is_lower ? obstacle.lower_corner :
                                               obstacle.upper_corner)[direction];
-            if (std::abs(corner - place) < tolerance)
+            if (std::abs(corner - place) <= tolerance)
               return "Obstacle " + obstacle.name +
                      (is_lower ? "/Lower corner" : "/Upper corner");
           }

@@ -4,6 +4,8 @@
 #include <seiche/scene/entry_values.h>
 #include <seiche/scene/grid_parameters.h>
 #include <seiche/scene/side_entry.h>
+#include <seiche/scene/wall_condition_table.h>
+#include <seiche/scene/wall_slack.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -12,6 +14,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace seiche
 {
@@ -31,34 +35,12 @@ namespace seiche
 
   namespace
   {
-    struct ConditionEntry
-    {
-      const char   *name;
-      WallCondition condition;
-      const char   *text;
-      bool          of_obstacles; // may have it
-    };
-
-    constexpr std::array<ConditionEntry, 5> condition_table = {
-      {{"slip", WallCondition::slip, "no flow to or from it", true},
-       {"unilateral",
-        WallCondition::unilateral,
-        "the same, but the fluid may leave it",
-        true},
-       {"no-slip", WallCondition::no_slip, "the fluid sticks to it", true},
-       {"open", WallCondition::open, "fluid may leave the domain", false},
-       {"periodic",
-        WallCondition::periodic,
-        "what leaves here enters at the opposite side, which must be periodic "
-        "too",
-        false}}};
-
     /// Allowed names, and what they mean.
     std::pair<std::string, std::string>
     conditions(const bool of_obstacle)
     {
       std::string names, meaning;
-      for (const ConditionEntry &entry : condition_table)
+      for (const WallConditionEntry &entry : wall_condition_table)
         if (entry.of_obstacles || !of_obstacle)
           {
             names += (names.empty() ? "" : "|") + std::string(entry.name);
@@ -71,10 +53,41 @@ namespace seiche
     WallCondition
     wall_condition_from_string(const std::string &text)
     {
-      return std::find_if(condition_table.begin(),
-                          condition_table.end(),
+      return std::find_if(wall_condition_table.begin(),
+                          wall_condition_table.end(),
                           [&](const auto &entry) { return text == entry.name; })
         ->condition; // the pattern refuses other names
+    }
+
+
+
+    /// A corner that coincides with a grid line, of break points, sides and the
+    /// obstacles before, is exactly there.
+    template <int dim>
+    void
+    lay_on_lines(dealii::Point<dim>        &corner,
+                 const GridParameters<dim> &grid,
+                 const unsigned int         n_before)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          std::vector<double> lines = grid.break_points[d];
+          lines.push_back(grid.lower_corner[d]);
+          lines.push_back(grid.upper_corner[d]);
+          for (unsigned int i = 0; i < n_before; ++i)
+            {
+              lines.push_back(grid.obstacles[i].lower_corner[d]);
+              lines.push_back(grid.obstacles[i].upper_corner[d]);
+            }
+          const double slack =
+            wall_slack(grid.upper_corner[d] - grid.lower_corner[d]);
+          const auto line =
+            std::find_if(lines.begin(), lines.end(), [&](const double place) {
+              return std::abs(place - corner[d]) <= slack;
+            });
+          if (line != lines.end())
+            corner[d] = *line;
+        }
     }
 
 
@@ -135,7 +148,8 @@ namespace seiche
         prm.add_parameter("Lower corner",
                           obstacle.lower,
                           "Corner of the box that is cut out of the grid; "
-                          "its faces become grid lines. [m]",
+                          "its faces become grid lines, or lie on those that "
+                          "are within 1e-9 of the domain. [m]",
                           anything,
                           /*has_to_be_set=*/true);
         prm.add_parameter("Upper corner",
@@ -206,10 +220,13 @@ namespace seiche
     here.upper_corner =
       entry_values::point<dim>(input, path + "Upper corner", text.upper);
 
+    for (dealii::Point<dim> *corner : {&here.lower_corner, &here.upper_corner})
+      lay_on_lines(*corner, *this, index);
+
     bool fills_domain = true;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const double tolerance = 1e-9 * (upper_corner[d] - lower_corner[d]);
+        const double tolerance = wall_slack(upper_corner[d] - lower_corner[d]);
         input.require(here.lower_corner[d] >= lower_corner[d] - tolerance,
                       path + "Lower corner",
                       "the obstacle reaches out of the domain.");
@@ -237,8 +254,9 @@ namespace seiche
         bool overlaps = true;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            const double tolerance = 1e-9 * (upper_corner[d] - lower_corner[d]);
-            overlaps               = overlaps &&
+            const double tolerance =
+              wall_slack(upper_corner[d] - lower_corner[d]);
+            overlaps = overlaps &&
                        here.lower_corner[d] + tolerance <
                          obstacles[other].upper_corner[d] &&
                        obstacles[other].lower_corner[d] + tolerance <

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/scene/background_grid.h>
+#include <seiche/scene/wall_condition_table.h>
 #include <seiche/simulation/scene_section.h>
 
 #include <fmt/format.h>
@@ -26,20 +27,6 @@ namespace seiche
                          *place_style    = "fill:#d03030;stroke:white",
                          *tick_style     = "stroke:#222";
 
-    struct WallRow
-    {
-      WallCondition condition;
-      LineStyle     line;
-    };
-    const WallRow wall_styles[] = {
-      {WallCondition::slip, {"slip", "stroke:#222;stroke-width:2"}},
-      {WallCondition::unilateral,
-       {"unilateral", "stroke:#222;stroke-width:2;stroke-dasharray:8 3"}},
-      {WallCondition::no_slip, {"no-slip", "stroke:#222;stroke-width:5"}},
-      {WallCondition::open,
-       {"open", "stroke:#2a8f4f;stroke-width:2;stroke-dasharray:2 4"}},
-      {WallCondition::periodic,
-       {"periodic", "stroke:#8a8a8a;stroke-width:1;stroke-dasharray:1 4"}}};
     const LineStyle moving_wall = {"moving wall",
                                    "stroke:#e08020;stroke-width:5"};
 
@@ -356,9 +343,9 @@ namespace seiche
   {
     if (!grid.wall_displacement_text(side).empty())
       return moving_wall;
-    for (const WallRow &row : wall_styles)
-      if (row.condition == grid.walls[side])
-        return row.line;
+    for (const WallConditionEntry &entry : wall_condition_table)
+      if (entry.condition == grid.walls[side])
+        return {entry.name, entry.line};
     Assert(false, ExcInternalError());
     return {};
   }

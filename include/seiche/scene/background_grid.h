@@ -25,7 +25,7 @@ namespace seiche
   /**
    * The segments of one direction: between break points, split at the corners
    * of obstacles. An obstacle's corner inside a segment becomes a grid line:
-   * where it coincides with one (to 1e-9 of a cell) nothing else changes,
+   * where it coincides with one (to wall_slack()) nothing else changes,
    * elsewhere the segment's cells are shared out between its two parts in
    * proportion, at least one each.
    */

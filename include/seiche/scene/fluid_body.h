@@ -50,7 +50,13 @@ namespace seiche
     std::string
     path(const std::string &entry) const
     {
-      return "Fluid body " + name + "/" + entry;
+      return path(name, entry);
+    }
+
+    static std::string
+    path(const std::string &body, const std::string &entry)
+    {
+      return "Fluid body " + body + "/" + entry;
     }
   };
 

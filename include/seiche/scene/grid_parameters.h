@@ -111,7 +111,8 @@ namespace seiche
     domain() const;
 
     /// Where a place of the start is once the sides have gone to those of @p
-    /// box: what is on a side goes with it.
+    /// box: what is on a side goes with it; what is on an obstacle, up to
+    /// wall_slack(), is exactly there, so that it can be found.
     dealii::Point<dim>
     with_sides(const dealii::Point<dim>       &place,
                const dealii::BoundingBox<dim> &box) const;
