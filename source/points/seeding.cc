@@ -282,14 +282,12 @@ namespace seiche
 
   template <int dim>
   SeedingResult
-  seed_bodies(const SeedingParameters                     &parameters,
-              const std::vector<FluidBodyParameters<dim>> &bodies,
-              const InputFile                             &input,
-              const double                                 density,
-              PointCloud<dim>                             &points)
+  seed_bodies(const SeedingParameters           &parameters,
+              const std::vector<FluidBody<dim>> &bodies,
+              const InputFile                   &input,
+              const double                       density,
+              PointCloud<dim>                   &points)
   {
-    const std::vector<FluidBody<dim>> made =
-      make_fluid_bodies(bodies, input, points.locator.grid.parameters.domain());
     const double n_places =
       points.locator.n_lattice_cells() *
       dealii::Utilities::fixed_power<dim>(double(parameters.per_direction));
@@ -303,22 +301,22 @@ namespace seiche
                               id_bits));
     SeedingResult result;
     double        smallest_spacing = std::numeric_limits<double>::max();
-    for (unsigned int b = 0; b < made.size(); ++b)
+    for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        Seeder<dim> seeder(parameters, made, b, density, points);
+        Seeder<dim> seeder(parameters, bodies, b, density, points);
         for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
           seeder.fill(cell);
         smallest_spacing = std::min(smallest_spacing, seeder.smallest_spacing);
         input.require(dealii::Utilities::MPI::max(seeder.largest_share,
                                                   points.communicator) >=
                         BodyPieces<dim>::light,
-                      bodies[b].path("Shape"),
+                      FluidBodyParameters<dim>::path(bodies[b].name, "Shape"),
                       BodyPieces<dim>::message_if_empty);
         result.bodies.push_back(
           {bodies[b].name,
            dealii::Utilities::MPI::sum(seeder.n_points, points.communicator),
            dealii::Utilities::MPI::sum(seeder.mass, points.communicator),
-           density * made[b].region->volume()});
+           density * bodies[b].region->volume()});
       }
     points.locate();
     result.n_points = points.n_global();
@@ -331,13 +329,13 @@ namespace seiche
 
   template SeedingResult
   seed_bodies<2>(const SeedingParameters &,
-                 const std::vector<FluidBodyParameters<2>> &,
+                 const std::vector<FluidBody<2>> &,
                  const InputFile &,
                  const double,
                  PointCloud<2> &);
   template SeedingResult
   seed_bodies<3>(const SeedingParameters &,
-                 const std::vector<FluidBodyParameters<3>> &,
+                 const std::vector<FluidBody<3>> &,
                  const InputFile &,
                  const double,
                  PointCloud<3> &);

@@ -16,7 +16,15 @@ namespace seiche
       const char *name;
       double      limit; // [-]
       const char *text, *advice;
+      bool        is_of_pace = false;
     };
+
+    /// Of the expected step. That of a step whose size follows its error is
+    /// larger, and so is one that halves for want of convergence now and then.
+    constexpr double tiny = 1e-3;
+
+    /// Steps over which their share is taken, roughly.
+    constexpr double memory = 100.;
 
     // in the order of the values in Alarms::execute()
     constexpr Quantity quantities[] = {
@@ -41,7 +49,14 @@ namespace seiche
        0.001,
        "a closed chamber counts as full of fluid although it holds air: less "
        "than a third of a cell under the lid, whose pressure is then not zero",
-       "smaller cells, or a level at least half a cell below the lid"}};
+       "smaller cells, or a level at least half a cell below the lid"},
+      {"tiny steps",
+       0.5,
+       "most steps are a thousand times smaller than Time/Step and than what "
+       "the fluid needs to cross a cell",
+       "what the warnings above advise, or a look at the fastest points; a "
+       "larger Time/Minimum step ends such a run",
+       /*is_of_pace=*/true}};
 
     /// Water that the weak forms see less that of the points [m^dim].
     template <int dim>
@@ -83,6 +98,7 @@ namespace seiche
                        StatisticsTable & /*statistics*/)
   {
     static_assert(std::size(quantities) == n_quantities);
+    watch_step(view);
     const bool is_incompressible =
       view.bulk_modulus == std::numeric_limits<double>::infinity();
     const bool   is_full = view.fill.closed_chambers().any();
@@ -91,18 +107,30 @@ namespace seiche
       {excess_seen(view) / volume,
        is_incompressible && !is_full ? ledger.volume_change() : 0.,
        view.fill.overfull_fraction(),
-       is_incompressible && is_full ? air_in_closed_chambers(view) / volume :
-                                      0.}};
+       is_incompressible && is_full ? air_in_closed_chambers(view) / volume : 0.,
+       tiny_steps}};
     new_alarms.clear();
     for (unsigned int i = 0; i < n_quantities; ++i)
       {
         const Quantity &quantity = quantities[i];
         if (std::abs(values[i]) > quantity.limit &&
             std::abs(largest[i]) <= quantity.limit)
-          new_alarms.push_back({quantity.text, quantity.advice, values[i]});
+          new_alarms.push_back(
+            {quantity.text, quantity.advice, values[i], quantity.is_of_pace});
         if (std::abs(values[i]) > std::abs(largest[i]))
           largest[i] = values[i];
       }
+  }
+
+  template <int dim>
+  void
+  Alarms<dim>::watch_step(const StepView<dim> &view)
+  {
+    if (view.step == 0)
+      expected_step = view.expected_step;
+    else
+      tiny_steps +=
+        ((view.dt < tiny * expected_step ? 1. : 0.) - tiny_steps) / memory;
   }
 
   template <int dim>
@@ -122,7 +150,11 @@ namespace seiche
   void
   Alarms<dim>::save_or_load(StateArchive &archive)
   {
-    archive.section("alarms", [&]() { archive("largest", largest); });
+    archive.section("alarms", [&]() {
+      archive("largest", largest);
+      archive("expected step", expected_step);
+      archive("tiny steps", tiny_steps);
+    });
   }
 
   template class Alarms<2>;

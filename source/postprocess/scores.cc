@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace seiche
@@ -16,6 +18,51 @@ namespace seiche
   {
     constexpr double  negligible  = 0.01; // of a window that a table leaves out
     const std::string step_column = "dt [s]";
+
+    struct MeasureEntry
+    {
+      const char *name;
+      double (*of)(const ScoreSums &);
+    };
+
+    constexpr std::array<MeasureEntry, 5> measure_table = {
+      {{"rms",
+        [](const ScoreSums &s) { return std::sqrt(s.square / s.weights); }},
+       {"mean", [](const ScoreSums &s) { return s.sum / s.weights; }},
+       {"maximum", [](const ScoreSums &s) { return s.largest; }},
+       {"last", [](const ScoreSums &s) { return s.last; }},
+       {"mean absolute",
+        [](const ScoreSums &s) { return s.absolute / s.weights; }}}};
+
+    struct InterpolationEntry
+    {
+      const char              *name;
+      TimeTable::Interpolation value;
+    };
+
+    constexpr std::array<InterpolationEntry, 2> interpolation_table = {
+      {{"linear", TimeTable::Interpolation::linear},
+       {"spline", TimeTable::Interpolation::akima}}};
+
+    template <typename Table>
+    std::string
+    names(const Table &table)
+    {
+      std::string result;
+      for (const auto &entry : table)
+        result += (result.empty() ? "" : "|") + std::string(entry.name);
+      return result;
+    }
+
+    /// The pattern of the entry knows the names of the table alone.
+    template <typename Table>
+    const auto &
+    entry_of(const Table &table, const std::string &name)
+    {
+      return *std::find_if(table.begin(), table.end(), [&](const auto &entry) {
+        return name == entry.name;
+      });
+    }
   } // namespace
 
   using namespace dealii;
@@ -52,13 +99,13 @@ namespace seiche
     prm.add_parameter("Interpolation",
                       interpolation,
                       "Between the rows of the table.",
-                      Patterns::Selection("linear|spline"));
+                      Patterns::Selection(names(interpolation_table)));
     prm.add_parameter(
       "Measure",
       measure,
       "What is made of the deviations. rms, mean and mean absolute weigh each "
       "row by its step size; maximum is that of the absolute value.",
-      Patterns::Selection("rms|mean|maximum|last|mean absolute"));
+      Patterns::Selection(names(measure_table)));
     prm.add_parameter("Relative",
                       relative,
                       "Deviation is value/reference - 1 instead of value - "
@@ -106,6 +153,7 @@ namespace seiche
 
   Score::Score(const ScoreParameters &score_parameters, const InputFile &input)
     : parameters(score_parameters)
+    , measure(entry_of(measure_table, parameters.measure).of)
   {
     const std::string section =
       std::string(ScoreParameters::kind) + " " + parameters.name;
@@ -127,8 +175,7 @@ namespace seiche
                          parameters.table_columns,
                          section + "/Table factors",
                          parameters.table_factors},
-      parameters.interpolation == "spline" ? TimeTable::Interpolation::akima :
-                                             TimeTable::Interpolation::linear);
+      entry_of(interpolation_table, parameters.interpolation).value);
   }
 
   void
@@ -172,13 +219,14 @@ namespace seiche
   std::vector<Score::Row>
   Score::rows(const StatisticsTable &statistics, std::string &warning) const
   {
-    const bool  at_pressure_time = parameters.time_column == "pressure_time";
-    const auto &values           = statistics.column(parameters.column);
-    const auto &time = statistics.column(parameters.time_column + " [s]");
-    const auto &dt   = statistics.column(step_column);
+    const auto &values = statistics.column(parameters.column);
+    const auto &time   = statistics.column(parameters.time_column + " [s]");
+    const auto &dt     = statistics.column(step_column);
 
     std::vector<Row> all;
-    for (std::size_t i = (at_pressure_time ? 1 : 0); i < values.size(); ++i)
+    for (std::size_t i = (parameters.is_of_pressure() ? 1 : 0);
+         i < values.size();
+         ++i)
       if (std::isfinite(values[i]))
         all.push_back({time[i], values[i], dt[i]});
     if (!times.empty())
@@ -214,8 +262,7 @@ namespace seiche
         warning = "the run has written no column " + parameters.column;
         return {};
       }
-    double weights = 0., sum = 0., absolute = 0., square = 0., largest = 0.,
-           last                     = 0.;
+    ScoreSums              sums;
     const std::vector<Row> compared = rows(statistics, warning);
     for (const Row &row : compared)
       {
@@ -228,33 +275,21 @@ namespace seiche
         const double reference = table ?
                                    table->value(row.time) :
                                    expression->value(Point<2>(), row.time);
-        last = parameters.relative ? row.value / reference - 1. :
-                                     row.value - reference;
-        if (!std::isfinite(last))
+        const double deviation = parameters.relative ?
+                                   row.value / reference - 1. :
+                                   row.value - reference;
+        if (!std::isfinite(deviation))
           {
             warning =
               fmt::format("the reference is zero at t = {} s", row.time);
             return {};
           }
-        weights += row.weight;
-        sum += row.weight * last;
-        absolute += row.weight * std::abs(last);
-        square += row.weight * last * last;
-        largest = std::max(largest, std::abs(last));
+        sums.add(row.weight, deviation);
       }
     if (compared.empty())
       return {};
 
-    double result = last;
-    if (parameters.measure == "rms")
-      result = std::sqrt(square / weights);
-    else if (parameters.measure == "mean")
-      result = sum / weights;
-    else if (parameters.measure == "mean absolute")
-      result = absolute / weights;
-    else if (parameters.measure == "maximum")
-      result = largest;
-    result /= parameters.scale;
+    const double result = measure(sums) / parameters.scale;
     if (std::isfinite(result))
       return result;
     warning = "no step lies in the window (only the start of the run)";

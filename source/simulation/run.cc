@@ -52,11 +52,12 @@ namespace seiche
     /// end or until the run is asked to stop. Collective.
     template <int dim>
     ExitCode
-    simulate(const CommandLine              &command_line,
-             const dealii::ParameterHandler &prm,
-             Scene<dim>                     &scene,
-             const MPI_Comm                  communicator)
+    simulate(const CommandLine &command_line,
+             PlannedScene<dim> &planned,
+             const MPI_Comm     communicator)
     {
+      const dealii::ParameterHandler &prm   = planned.prm;
+      Scene<dim>                     &scene = planned.scene;
       const double last_moment = wall_clock() + 3600. * command_line.max_hours;
       const std::string &directory = command_line.output;
       const bool         restarts  = command_line.restart;
@@ -79,7 +80,7 @@ namespace seiche
       const auto                       set_up = [&]() {
         const TimerTree::Scope scope(timer, "set-up");
         simulation = std::make_unique<Simulation<dim>>(
-          scene, directory, report, timer, std::move(start));
+          planned, directory, report, timer, std::move(start));
       };
       set_up();
 
@@ -167,7 +168,7 @@ namespace seiche
           validate(planned, command_line.output);
         return ExitCode::finished;
       }
-    return simulate(command_line, planned.prm, planned.scene, communicator);
+    return simulate(command_line, planned, communicator);
   }
 
 

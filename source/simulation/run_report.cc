@@ -2,6 +2,7 @@
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/summary_file.h>
 #include <seiche/utilities/readable.h>
+#include <seiche/utilities/result_names.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -96,8 +97,9 @@ namespace seiche
       return "verdict: " + (text.empty() ? "passed" : text);
     }
 
-    constexpr unsigned int warnings_kept = 100;
-  } // namespace
+    constexpr unsigned int warnings_kept    = 100;
+    constexpr double       longest_estimate = 1e8; // [s]
+  }                                                // namespace
 
 
 
@@ -118,14 +120,15 @@ namespace seiche
   {
     if (!options.directory.empty())
       {
-        const std::string name = options.directory + "/run.log";
+        const std::string name = options.directory + "/" + result_names::log;
         if (goes_on && std::filesystem::exists(name))
           log.continue_at(name, std::filesystem::file_size(name));
         else
           log.open(name);
         log.append(early_log);
-        for (const char *of_finished : {"/summary.json", "/timing.txt"})
-          std::filesystem::remove(options.directory + of_finished);
+        for (const char *of_finished :
+             {result_names::summary, result_names::timing})
+          std::filesystem::remove(options.directory + "/" + of_finished);
       }
     if (options.test_mode)
       test_output.open("output");
@@ -177,7 +180,7 @@ namespace seiche
                   // at rest and without gravity there is nothing to relate to
                   std::isfinite(energy) ? fmt::format("{:.4f}", energy) : "-");
     write_log(line + "\n");
-    const double left = (options.end_time - time) / std::max(rate, 1e-300);
+    const double left = seconds_left();
     progress_file.update({time, options.end_time, dt, left}, now);
 
     // one line per tenth in a test, per twentieth in a file
@@ -202,7 +205,7 @@ namespace seiche
     last_shown = now;
 
     std::string text = line;
-    if (left > 0. && left < 1e8)
+    if (left > 0. && left < longest_estimate)
       text += fmt::format(" | {} left, ends {}",
                           readable_duration(left),
                           clock_time(left));
@@ -217,6 +220,25 @@ namespace seiche
       text.append(progress_width - width, ' ');
     progress_width = width;
     std::cout << '\r' << text << std::flush;
+  }
+
+
+
+  double
+  RunReport::seconds_left() const
+  {
+    return (options.end_time - rate_time) / std::max(rate, 1e-300);
+  }
+
+
+
+  std::string
+  RunReport::time_left() const
+  {
+    const double left = seconds_left();
+    return options.test_mode || !(left < longest_estimate) ?
+             "" :
+             ", " + readable_duration(left) + " left";
   }
 
 
@@ -322,9 +344,9 @@ namespace seiche
     header("\n" + times);
     if (!options.directory.empty())
       {
-        checked_file::write(options.directory + "/timing.txt",
+        checked_file::write(options.directory + "/" + result_names::timing,
                             [&](std::ostream &stream) { stream << times; });
-        checked_file::write(options.directory + "/summary.json",
+        checked_file::write(options.directory + "/" + result_names::summary,
                             [&](std::ostream &stream) {
                               stream << complete.dump(2) << '\n';
                             });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/points/body_pieces.h>
 #include <seiche/postprocess/output_parameters.h>
+#include <seiche/scene/largest_wall_speed.h>
 #include <seiche/simulation/cost_model.h>
 #include <seiche/simulation/scene_plan.h>
 #include <seiche/utilities/readable.h>
@@ -150,7 +151,7 @@ namespace seiche
     count_points(scene, bodies, map);
     const TankMotion<dim> tank = scene.make_tank_motion();
     const BodyForce<dim>  force(scene.body_force, tank, scene.input);
-    count_steps(scene, bodies, map, force);
+    count_steps(scene, bodies, map, force, tank);
 
     const CostModel cost(dim,
                          scene.formulation.degree,
@@ -194,7 +195,8 @@ namespace seiche
   ScenePlan<dim>::count_steps(const Scene<dim>                  &scene,
                               const std::vector<FluidBody<dim>> &bodies,
                               const SceneMap<dim>               &map,
-                              const BodyForce<dim>              &force)
+                              const BodyForce<dim>              &force,
+                              const TankMotion<dim>             &tank)
   {
     const TimeStepParameters &time = scene.time;
     steps           = std::ceil(std::max(0., time.end_time / time.step - 1e-9));
@@ -203,7 +205,10 @@ namespace seiche
     const double start = initial_speed(bodies, map);
     if (!time.controls_courant_number())
       return;
-    const double speed = std::max(start, speed_of_fall(force, map));
+    const double speed = std::max(
+      {start,
+       speed_of_fall(force, map),
+       largest_wall_speed(scene.grid, tank, scene.input, time.end_time)});
     steps =
       std::max(steps,
                std::ceil(time.end_time * speed / (time.cfl * smallest.edge)));
@@ -263,7 +268,7 @@ namespace seiche
   {
     for (const std::string &name : empty_bodies)
       input.require(false,
-                    "Fluid body " + name + "/Shape",
+                    FluidBodyParameters<dim>::path(name, "Shape"),
                     BodyPieces<dim>::message_if_empty);
     const double available = physical_memory() * ranks;
     const bool   by_points = 2. * point_memory > memory;

@@ -67,24 +67,36 @@ namespace seiche
     return std::sqrt(gravity * depth);
   }
 
+  double
+  SceneScales::fastest() const
+  {
+    return std::max({wave_speed(), speed, walls});
+  }
+
   bool
   SceneScales::step_is_round_off() const
   {
-    const double way = std::max(speed, gravity * step) * step / smallest_cell;
+    const double way =
+      std::max({speed, walls, gravity * step}) * step / smallest_cell;
     return way > 0. && way < hardly_moves;
   }
 
   double
   SceneScales::ordinary_step() const
   {
-    return 0.5 * smallest_cell / std::max(wave_speed(), speed);
+    return 0.5 * smallest_cell / fastest();
+  }
+
+  double
+  SceneScales::expected_step() const
+  {
+    return std::min(step, 2. * ordinary_step());
   }
 
   std::string
   SceneScales::text() const
   {
-    const double fastest = std::max(wave_speed(), speed);
-    std::string  result  = fmt::format("depth {:.3g} m, ", depth);
+    std::string result = fmt::format("depth {:.3g} m, ", depth);
     if (gravity > 0.)
       result += fmt::format("sqrt(g H) {:.3g} m/s, rho g H {:.3g} Pa",
                             wave_speed(),
@@ -95,14 +107,16 @@ namespace seiche
       result += fmt::format("; fastest {:.3g} m/s", speed);
     if (speed > 0. && gravity > 0.)
       result += fmt::format(", Froude number {:.2g}", speed / wave_speed());
-    if (viscosity > 0. && fastest > 0.)
+    if (walls > 0.)
+      result += fmt::format("; walls move with up to {:.3g} m/s", walls);
+    if (viscosity > 0. && fastest() > 0.)
       result += fmt::format("; Reynolds number {:.2g}",
-                            density * fastest * depth / viscosity);
-    if (fastest > 0.)
+                            density * fastest() * depth / viscosity);
+    if (fastest() > 0.)
       result += fmt::format("; in {} {:.3g} s {:.2g} cells",
                             is_fixed ? "steps of" : "the largest step,",
                             step,
-                            fastest * step / smallest_cell);
+                            fastest() * step / smallest_cell);
     return result;
   }
 

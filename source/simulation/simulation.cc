@@ -5,6 +5,7 @@
 #include <seiche/utilities/exceptions.h>
 #include <seiche/utilities/first_rank.h>
 #include <seiche/utilities/injected_fault.h>
+#include <seiche/utilities/result_names.h>
 
 #include <fmt/format.h>
 
@@ -33,12 +34,13 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  Simulation<dim>::Simulation(Scene<dim>        &run_scene,
+  Simulation<dim>::Simulation(PlannedScene<dim> &planned,
                               const std::string &output_directory,
                               RunReport         &run_report,
                               TimerTree         &run_timer,
                               std::unique_ptr<const Checkpoint> checkpoint)
-    : scene(run_scene)
+    : scene(planned.scene)
+    , bodies(planned.bodies)
     , directory(output_directory)
     , communicator(MPI_COMM_WORLD)
     , report(run_report)
@@ -74,7 +76,7 @@ namespace seiche
                   report,
                   timer)
     , time_stepper(scene.time, step_advice(scene, scene_scales()))
-    , statistics(directory + "/statistics.csv",
+    , statistics(directory + "/" + result_names::statistics,
                  Utilities::MPI::this_mpi_process(communicator) == 0)
   {}
 

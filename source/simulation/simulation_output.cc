@@ -3,10 +3,12 @@
 #include <seiche/postprocess/grid_output.h>
 #include <seiche/postprocess/nodal_pressure.h>
 #include <seiche/postprocess/point_output.h>
+#include <seiche/scene/largest_wall_speed.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/simulation/summary_file.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/first_rank.h>
+#include <seiche/utilities/result_names.h>
 
 #include <fmt/format.h>
 
@@ -41,7 +43,7 @@ namespace seiche
     FrameSettings
     failure_folder(const std::string &directory, const MPI_Comm communicator)
     {
-      const FrameSettings settings{directory + "/failure",
+      const FrameSettings settings{directory + "/" + result_names::failure,
                                    /*interval=*/1.,
                                    /*end_time=*/0.};
       on_first_rank(communicator, [&]() {
@@ -76,6 +78,10 @@ namespace seiche
     scales.viscosity = scene.fluid.dynamic_viscosity;
     scales.step      = scene.time.step;
     scales.is_fixed  = !scene.time.is_controlled();
+    scales.walls     = largest_wall_speed(scene.grid,
+                                      tank_motion,
+                                      scene.input,
+                                      scene.time.end_time);
     if (!scene.formulation.is_mixed())
       scales.modulus = scene.fluid.bulk_modulus;
     return scales;
@@ -108,7 +114,8 @@ namespace seiche
             effort.newton,
             effort.krylov,
             tank_motion.any() ? &tank_motion.at(time) : nullptr,
-            balance};
+            balance,
+            time_stepper.steps() == 0 ? scene_scales().expected_step() : 0.};
   }
 
   template <int dim>
@@ -140,7 +147,10 @@ namespace seiche
     statistics.end_row();
     for (const auto &alarm : scene.postprocessors.raised_alarms())
       report.warn(alarm.text + "; what may help: " + alarm.advice,
-                  fmt::format("t = {:.6g} s, {:.3g}", time, alarm.value));
+                  fmt::format("t = {:.6g} s, {:.3g}{}",
+                              time,
+                              alarm.value,
+                              alarm.is_of_pace ? report.time_left() : ""));
     const double energy = scene.postprocessors.relative_energy();
     if (step > 0)
       report.progress(time, dt, effort.newton, effort.krylov, energy);

@@ -14,7 +14,7 @@ namespace seiche
   {
     if (start == nullptr)
       return seed_bodies(
-        scene.seeding, scene.bodies, scene.input, scene.fluid.density, points);
+        scene.seeding, bodies, scene.input, scene.fluid.density, points);
     if (wall_motion.any())
       {
         double time = 0.;

@@ -20,7 +20,7 @@ namespace seiche
                 /*quiet=*/true},
                MPI_COMM_WORLD)
       , folder(directory, /*no checkpoints:*/ {}, MPI_COMM_WORLD)
-      , simulation(planned.scene, directory, report, timer, /*start=*/nullptr)
+      , simulation(planned, directory, report, timer, /*start=*/nullptr)
     {
       folder.take();
       report.header(simulation.description());

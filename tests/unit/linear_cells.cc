@@ -21,14 +21,11 @@ namespace
   std::string
   scene_text()
   {
-    const auto corner = [](const std::string &v) {
-      return v + ", " + v + (dim == 3 ? ", " + v : "");
-    };
-    return "subsection Grid\n set Lower corner = " + corner("0") +
-           "\n set Upper corner = " + corner("1.6") +
+    return "subsection Grid\n set Lower corner = " + corner<dim>("0") +
+           "\n set Upper corner = " + corner<dim>("1.6") +
            "\n set Cell size = 0.2\nend\n"
            "subsection Fluid body a\n set Lower corner = " +
-           corner("0") + "\n set Upper corner = " + corner("1") +
+           corner<dim>("0") + "\n set Upper corner = " + corner<dim>("1") +
            "\nend\n"
            "subsection Points\n set Jitter = 0.3\n"
            "set Per cell and direction = 3\nend\n"
@@ -36,7 +33,7 @@ namespace
            "set Level = 0\nend\n"
            "subsection Refinement probe\n set Criterion = box\n"
            "set Lower corner = " +
-           corner("0.9") + "\n set Upper corner = " + corner("1.1") +
+           corner<dim>("0.9") + "\n set Upper corner = " + corner<dim>("1.1") +
            "\n set Level = 1\nend\n";
   }
 

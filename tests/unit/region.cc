@@ -20,8 +20,7 @@ namespace
   {
     scene = std::make_unique<SceneFromText<2>>(
       grid + "subsection Fluid body a\n" + entries + "end\n");
-    return scene->bodies[0].make_region(scene->input,
-                                        scene->grid_parameters.domain());
+    return std::move(scene->bodies[0].region);
   }
 
 

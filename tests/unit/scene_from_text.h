@@ -28,6 +28,17 @@ print(const T &...items)
     }
 }
 
+/// The place with the same coordinate in all directions.
+template <int dim>
+std::string
+corner(const std::string &coordinate)
+{
+  std::string text = coordinate;
+  for (unsigned int d = 1; d < dim; ++d)
+    text += ", " + coordinate;
+  return text;
+}
+
 /// A parameter file with the text of a test; one per rank.
 inline std::string
 file_with(const std::string &text)
@@ -49,26 +60,30 @@ struct SceneFromText
             {})
     , grid_parameters(input)
   {
+    std::vector<seiche::FluidBodyParameters<dim>> entries;
     for (const std::string &name : input.instances("Fluid body"))
       {
-        bodies.emplace_back();
-        bodies.back().name = name;
+        entries.emplace_back();
+        entries.back().name = name;
       }
     dealii::ParameterHandler prm;
     seiche::InputFile::declare_dimension(prm);
     grid_parameters.add_parameters(prm);
     seeding.add_parameters(prm);
-    for (auto &body : bodies)
+    for (auto &body : entries)
       body.add_parameters(prm);
     input.parse_into(prm);
     grid_parameters.check(input);
     seeding.check(input);
+    if (!entries.empty())
+      bodies =
+        seiche::make_fluid_bodies(entries, input, grid_parameters.domain());
   }
 
-  seiche::InputFile                             input;
-  seiche::GridParameters<dim>                   grid_parameters;
-  seiche::SeedingParameters                     seeding;
-  std::vector<seiche::FluidBodyParameters<dim>> bodies;
+  seiche::InputFile                   input;
+  seiche::GridParameters<dim>         grid_parameters;
+  seiche::SeedingParameters           seeding;
+  std::vector<seiche::FluidBody<dim>> bodies;
 };
 
 /// Prints the message of the InputError that the action throws.

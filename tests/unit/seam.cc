@@ -21,24 +21,22 @@ namespace
   std::string
   scene_text()
   {
-    const auto corner = [](const std::string &v) {
-      return v + ", " + v + (dim == 3 ? ", " + v : "");
-    };
-    return "subsection Grid\n set Lower corner = " + corner("-0.3") +
-           "\n set Upper corner = " + corner("1.3") +
+    return "subsection Grid\n set Lower corner = " + corner<dim>("-0.3") +
+           "\n set Upper corner = " + corner<dim>("1.3") +
            "\n set Cell size = 0.2\nend\n"
            "subsection Walls\n set Left = periodic\n set Right = periodic\n" +
            (dim == 3 ? " set Front = periodic\n set Back = periodic\n" : "") +
            "end\n"
            "subsection Fluid body a\n set Lower corner = " +
-           corner("0.5") + "\n set Upper corner = " + corner("1.3") +
+           corner<dim>("0.5") + "\n set Upper corner = " + corner<dim>("1.3") +
            "\nend\n"
            "subsection Points\n set Per cell and direction = 2\nend\n"
            "subsection Refinement surface\n set Criterion = free surface\n"
            "set Level = 1\nend\n"
            "subsection Refinement box\n set Criterion = box\n"
            "set Lower corner = " +
-           corner("1.12") + "\n set Upper corner = " + corner("1.27") +
+           corner<dim>("1.12") +
+           "\n set Upper corner = " + corner<dim>("1.27") +
            "\n set Level = 2\nend\n";
   }
 

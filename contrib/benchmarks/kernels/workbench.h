@@ -4,55 +4,34 @@
 
 #include <seiche/grid/wall_conditions.h>
 #include <seiche/postprocess/postprocessor.h>
-#include <seiche/simulation/scene.h>
+#include <seiche/simulation/planned_scene.h>
 #include <seiche/solve/assembler.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
-/// The parameters of a scene, read as the program reads them.
-template <int dim>
-struct ParsedScene
-{
-  ParsedScene(const std::string              &filename,
-              const std::vector<std::string> &overrides)
-    : input(filename, overrides)
-    , scene(input)
-  {
-    dealii::ParameterHandler prm;
-    seiche::InputFile::declare_dimension(prm);
-    scene.add_parameters(prm);
-    input.parse_into(prm);
-    scene.check(input);
-  }
-
-  seiche::InputFile  input;
-  seiche::Scene<dim> scene;
-};
-
 /**
  * @brief A scene at its start, as Simulation sets it up, with its objects in
  * the open: what a kernel needs to be called again and again.
  */
 template <int dim>
-struct Workbench : ParsedScene<dim>
+struct Workbench
 {
   using Vector      = typename seiche::GridState<dim>::Vector;
   using BlockVector = typename seiche::GridState<dim>::BlockVector;
-  using ParsedScene<dim>::scene;
 
   Workbench(const std::string              &filename,
             const std::vector<std::string> &overrides)
-    : ParsedScene<dim>(filename, overrides)
+    : input(filename, overrides)
+    , planned(input, MPI_COMM_WORLD)
+    , scene(planned.scene)
     , grid(scene.grid, MPI_COMM_WORLD)
     , locator(grid)
     , time_scheme(
         seiche::make_time_scheme<dim>(scene.time_scheme,
-                                      std::isinf(scene.fluid.bulk_modulus)))
+                                      scene.fluid.is_incompressible()))
     , formulation(
         seiche::make_formulation<dim>(scene.formulation, scene.material()))
     , points(locator,
@@ -64,11 +43,7 @@ struct Workbench : ParsedScene<dim>
                                          fill,
                                          scene.fluid.density,
                                          seiche::VolumeRatio::one))
-    , tank_motion(scene.tank_motion,
-                  scene.grid,
-                  scene.input,
-                  scene.time.end_time,
-                  scene.time.step)
+    , tank_motion(scene.make_tank_motion())
     , body_force(scene.body_force, tank_motion, scene.input)
     , wall_motion(scene.grid, scene.input, scene.time.end_time)
     , wall_velocity(scene.grid, scene.input, scene.time.end_time)
@@ -86,7 +61,7 @@ struct Workbench : ParsedScene<dim>
                 timer)
   {
     seiche::seed_bodies(
-      scene.seeding, scene.bodies, scene.input, scene.fluid.density, points);
+      scene.seeding, planned.bodies, scene.input, scene.fluid.density, points);
     occupancy.update(points);
     fill.update(points);
     matrix.reinit(fill);
@@ -131,6 +106,9 @@ struct Workbench : ParsedScene<dim>
             0};
   }
 
+  const seiche::InputFile                         input;
+  const seiche::PlannedScene<dim>                 planned;
+  const seiche::Scene<dim>                       &scene;
   seiche::TimerTree                               timer;
   seiche::BackgroundGrid<dim>                     grid;
   seiche::CellLocator<dim>                        locator;

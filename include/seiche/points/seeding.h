@@ -51,16 +51,16 @@ namespace seiche
    * inside (BodyPieces). Ids and jitter depend on the lattice index and the
    * seed only, not on ranks. If @p points carries a velocity gradient, it is set from
    * central differences of the velocity. Overlapping bodies: the first one
-   * wins. Locates the points. InputError for a body that gets no point and for
-   * impossible shapes and velocities. Collective.
+   * wins. Locates the points. InputError for a body that gets no point.
+   * Collective.
    */
   template <int dim>
   SeedingResult
-  seed_bodies(const SeedingParameters                     &parameters,
-              const std::vector<FluidBodyParameters<dim>> &bodies,
-              const InputFile                             &input,
-              const double                                 density,
-              PointCloud<dim>                             &points);
+  seed_bodies(const SeedingParameters           &parameters,
+              const std::vector<FluidBody<dim>> &bodies,
+              const InputFile                   &input,
+              const double                       density,
+              PointCloud<dim>                   &points);
 } // namespace seiche
 
 #endif

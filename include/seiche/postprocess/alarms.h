@@ -14,7 +14,8 @@ namespace seiche
    * @brief Whether the run can be trusted with volumes and levels: the water
    * that the weak forms see against that of the points, the points' volumes
    * against those at the start, the water that stands where there is no room
-   * for it, and air that is too thin to be seen.
+   * for it, and air that is too thin to be seen. And whether it comes to an
+   * end: steps far smaller than what was asked for.
    *
    * A quantity that leaves its band raises its alarm once in a run.
    */
@@ -25,9 +26,10 @@ namespace seiche
     /// What a user is told.
     struct Alarm
     {
-      std::string text;   ///< what is wrong
-      std::string advice; ///< what may help
-      double      value;  ///< of the step that raised it [-]
+      std::string text;       ///< what is wrong
+      std::string advice;     ///< what may help
+      double      value;      ///< of the step that raised it [-]
+      bool        is_of_pace; ///< the run takes longer than one expects
     };
 
     /// @p ledger: of the same steps, executed before; it must outlive the
@@ -56,7 +58,14 @@ namespace seiche
   private:
     const MassAndEnergy<dim> &ledger;
 
-    static constexpr unsigned int n_quantities = 4;
+    static constexpr unsigned int n_quantities = 5;
+
+    double expected_step = 0.; // [s]
+    double tiny_steps    = 0.; // their share of the last ones [-]
+
+    /// Account for a step.
+    void
+    watch_step(const StepView<dim> &view);
 
     std::array<double, n_quantities> largest{}; // so far, by size
     std::vector<Alarm>               new_alarms;

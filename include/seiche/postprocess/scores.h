@@ -6,6 +6,8 @@
 #include <seiche/scene/expression.h>
 #include <seiche/scene/time_table.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,12 +42,39 @@ namespace seiche
     double      to    = 0.; ///< [s], 0: end of the run
     double      scale = 1.;
 
+    /// True if the values are those of the pressure's time.
+    bool
+    is_of_pressure() const
+    {
+      return time_column == "pressure_time";
+    }
+
     void
     add_parameters(dealii::ParameterHandler &prm);
     /// @p columns are the names that the statistics will have.
     void
     check(const InputFile                &input,
           const std::vector<std::string> &columns) const;
+  };
+
+  /// What measures are made of: sums over the rows, weighted but for the last
+  /// two.
+  struct ScoreSums
+  {
+    double weights = 0., sum = 0., absolute = 0., square = 0.;
+    double largest = 0.; ///< of the absolute values
+    double last    = 0.;
+
+    void
+    add(const double weight, const double deviation)
+    {
+      weights += weight;
+      sum += weight * deviation;
+      absolute += weight * std::abs(deviation);
+      square += weight * deviation * deviation;
+      largest = std::max(largest, std::abs(deviation));
+      last    = deviation;
+    }
   };
 
   /**
@@ -93,6 +122,7 @@ namespace seiche
     std::vector<Row>
     sample(const std::vector<Row> &all, std::string &warning) const;
 
+    double (*const measure)(const ScoreSums &);
     std::vector<double>                  times;
     std::unique_ptr<const Expression<2>> expression;
     std::unique_ptr<const TimeTable>     table;

@@ -68,6 +68,10 @@ namespace seiche
              const unsigned int krylov,
              const double       energy);
 
+    /// ", 3 h left", by the steps so far; empty if unknown, and in a test.
+    std::string
+    time_left() const;
+
     /// Print the first time, count afterwards; @p detail (step, place) is
     /// printed with the first and does not distinguish warnings.
     void
@@ -99,6 +103,9 @@ namespace seiche
     /// A line for screen and run.log that ends a progress line first.
     void
     print(const std::string &text);
+    /// Wall time to the end [s].
+    double
+    seconds_left() const;
     void
     end_progress_line();
     /// A line for run.log alone.

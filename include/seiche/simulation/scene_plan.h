@@ -64,7 +64,8 @@ namespace seiche
     count_steps(const Scene<dim>                  &scene,
                 const std::vector<FluidBody<dim>> &bodies,
                 const SceneMap<dim>               &map,
-                const BodyForce<dim>              &force);
+                const BodyForce<dim>              &force,
+                const TankMotion<dim>             &tank);
     void
     count_seconds(const Scene<dim>     &scene,
                   const SceneMap<dim>  &map,

@@ -30,6 +30,7 @@ namespace seiche
     double modulus   = 0.;   ///< kappa of the irreducible form, else 0 [Pa]
     double step      = 0.;   ///< [s]
     bool   is_fixed  = true; ///< or the largest step
+    double walls     = 0.;   ///< largest_wall_speed() [m/s]
 
     /// One line. Local.
     std::string
@@ -51,9 +52,18 @@ namespace seiche
     double
     ordinary_step() const;
 
+    /// The step asked for, or if it is smaller that in which the fastest point
+    /// or wave crosses a cell [s]. Local.
+    double
+    expected_step() const;
+
   private:
     double
     wave_speed() const;
+
+    /// Of the fluid at the start, of waves and of walls [m/s].
+    double
+    fastest() const;
 
     /// Cells that sound crosses in a step, and what may help; empty if they
     /// are few.

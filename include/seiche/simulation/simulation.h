@@ -9,6 +9,7 @@
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/earlier_results.h>
+#include <seiche/simulation/planned_scene.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene_scales.h>
 #include <seiche/simulation/step_solver.h>
@@ -48,7 +49,7 @@ namespace seiche
     /// Build the grid and fill it, with the bodies of the scene or the points
     /// of a checkpoint (null: none). Throws InputError; writes no file.
     /// References must outlive the run. Collective.
-    Simulation(Scene<dim>                       &scene,
+    Simulation(PlannedScene<dim>                &planned,
                const std::string                &directory,
                RunReport                        &report,
                TimerTree                        &timer,
@@ -187,11 +188,12 @@ namespace seiche
     void
     write_checkpoint(CheckpointFolder &folder);
 
-    Scene<dim>       &scene;
-    const std::string directory;
-    const MPI_Comm    communicator;
-    RunReport        &report;
-    TimerTree        &timer;
+    Scene<dim>                        &scene;
+    const std::vector<FluidBody<dim>> &bodies; // at the start
+    const std::string                  directory;
+    const MPI_Comm                     communicator;
+    RunReport                         &report;
+    TimerTree                         &timer;
     /// Until the run begins: it holds a file open, and memory.
     std::unique_ptr<const Checkpoint> start;
 
