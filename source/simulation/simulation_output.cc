@@ -78,8 +78,9 @@ namespace seiche
     scales.viscosity = scene.fluid.dynamic_viscosity;
     scales.step      = scene.time.step;
     scales.is_fixed  = !scene.time.is_controlled();
-    scales.walls     = largest_wall_speed(scene.grid,
-                                      tank_motion,
+    // a tank of its own: postprocessors look at the last pose of the run's
+    scales.walls = largest_wall_speed(scene.grid,
+                                      scene.make_tank_motion(),
                                       scene.input,
                                       scene.time.end_time);
     if (!scene.formulation.is_mixed())
