@@ -86,7 +86,7 @@ namespace
   {
     double level, at_wall, left;
     double front, front_above, front_below, wet, spray, wet_spray;
-    double surface_height;
+    double surface_height, spray_at_lid;
     bool   all_in_file;
   };
 
@@ -165,7 +165,15 @@ namespace
       std::filesystem::exists(directory + "/surface.pvd") == (n_vertices > 0);
 
     const FluidExtent<dim> extent(view);
-    Point<dim>             place, above_drop = drop<dim>();
+
+    // a lid that has come down to a quarter of a spacing above the drop
+    StepView<dim> under_lid  = view;
+    Point<dim>    low_corner = locator.domain().get_boundary_points().second;
+    low_corner[dim - 1]      = drop<dim>()[dim - 1] + 0.25 * spacing;
+    under_lid.box            = BoundingBox<dim>({Point<dim>(), low_corner});
+    const FluidExtent<dim> extent_under_lid(under_lid);
+
+    Point<dim> place, above_drop = drop<dim>();
     place[0]              = 0.87;
     place[dim - 2]        = 0.87;
     const auto over_ranks = [&](const double value) {
@@ -186,6 +194,7 @@ namespace
             over_ranks(extent.spray->wet_height(1)),
             Utilities::MPI::sum(surface.volume, communicator) /
               (area > 0. ? area : 1.),
+            over_ranks(extent_under_lid.spray->level(above_drop, 0.1)),
             all_in_file};
   }
 
@@ -232,6 +241,9 @@ namespace
     say(in + "lowest", is(layer.front_below, 0.), layer.front_below);
     say(in + "wet height", is(layer.wet, top), layer.wet);
     say(in + "spray", is(layer.spray, peak), layer.spray);
+    say(in + "spray ends at the lid",
+        is(layer.spray_at_lid, peak - 0.25 * spacing),
+        layer.spray_at_lid);
     say(in + "no spray at the wall", layer.wet_spray == none, layer.wet_spray);
     say(in + "mean height with the drop",
         is(layer.surface_height, top + water / plan),

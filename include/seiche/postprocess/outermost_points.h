@@ -9,7 +9,8 @@
 
 namespace seiche
 {
-  /// The outermost of the points that are chosen, and half their spacing.
+  /// The outermost of the points that are chosen, and half their spacing, but
+  /// nothing beyond a wall.
   template <int dim>
   class OutermostPoints : public Extent<dim>
   {
@@ -35,23 +36,23 @@ namespace seiche
              const double       sign,
              const double       lowest) const override
     {
-      return with_spacing(largest(axis, sign, [&](const Entry &entry) {
+      return largest(axis, sign, [&](const Entry &entry) {
         return view.points.data(PointColumn::position, dim - 1)[entry.point] >=
                lowest;
-      }));
+      });
     }
 
     double
     level(const dealii::Point<dim> &place, const double width) const override
     {
-      return with_spacing(largest(dim - 1, 1., [&](const Entry &entry) {
+      return largest(dim - 1, 1., [&](const Entry &entry) {
         const auto way = view.occupancy.locator.shortest(
           view.points.position(entry.point) - place);
         for (unsigned int d = 0; d + 1 < dim; ++d)
           if (std::abs(way[d]) >= width)
             return false;
         return true;
-      }));
+      });
     }
 
     /// Of points in the cells at the wall.
@@ -59,13 +60,13 @@ namespace seiche
     wet_height(const dealii::types::boundary_id wall) const override
     {
       const auto &locator = view.occupancy.locator;
-      return with_spacing(largest(dim - 1, 1., [&](const Entry &entry) {
+      return largest(dim - 1, 1., [&](const Entry &entry) {
         for (const unsigned int face :
              dealii::GeometryInfo<dim>::face_indices())
           if (locator.boundary_id(entry.cell, face) == wall)
             return true;
         return false;
-      }));
+      });
     }
 
     /// As if the points' water stood on the whole bottom.
@@ -101,18 +102,39 @@ namespace seiche
             const double       sign,
             const Condition   &condition) const
     {
-      const double *x      = view.points.data(PointColumn::position, axis);
-      double        result = none;
+      double result = none;
       for (const Entry &entry : chosen)
         if (condition(entry))
-          result = std::max(result, sign * x[entry.point]);
+          result =
+            std::max(result,
+                     end_of(view.points.position(entry.point), axis, sign));
       return result;
     }
 
+    /// Largest sign x_axis of the water that the point at @p x stands for.
     double
-    with_spacing(const double outermost) const
+    end_of(const dealii::Point<dim> &x,
+           const unsigned int        axis,
+           const double              sign) const
     {
-      return outermost == none ? outermost : outermost + view.half_spacing;
+      const auto [low, high] = view.box.get_boundary_points();
+      double result          = std::min(sign * x[axis] + view.half_spacing,
+                               sign * (sign > 0. ? high : low)[axis]);
+      for (const auto &obstacle :
+           view.occupancy.locator.grid.parameters.obstacles)
+        {
+          const auto &lower = obstacle.lower_corner,
+                     &upper = obstacle.upper_corner;
+          // before the side that faces the point
+          bool faces =
+            sign * (0.5 * (lower[axis] + upper[axis]) - x[axis]) > 0.;
+          for (unsigned int d = 0; d < dim; ++d)
+            faces =
+              faces && (d == axis || (x[d] > lower[d] && x[d] < upper[d]));
+          if (faces)
+            result = std::min(result, sign * (sign > 0. ? lower : upper)[axis]);
+        }
+      return result;
     }
 
     const StepView<dim> &view;
