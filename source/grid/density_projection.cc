@@ -105,15 +105,10 @@ namespace seiche
     for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
       {
         const double diagonal = inverse_diagonal.local_element(i);
-        // a gap at a wall that lets go is a surface before the level set sees
-        // it
-        const bool leaves_wall =
-          (occupancy.wall_components(i) & ~occupancy.fixed_components(i) &
-           ~occupancy.dry_components(i)) != 0;
-        const bool free =
-          diagonal > 0. && occupancy.node_volume(i) > 0. &&
-          ((inside.local_element(i) > least_inside && !leaves_wall) ||
-           f.local_element(i) > 1.);
+        const bool   free = diagonal > 0. && occupancy.node_volume(i) > 0. &&
+                          ((inside.local_element(i) > least_inside &&
+                            !occupancy.leaves_wall(i)) ||
+                           f.local_element(i) > 1.);
         all_free                 = all_free && (free || diagonal == 0.);
         is_free.local_element(i) = free;
         inverse_diagonal.local_element(i) = free ? 1. / diagonal : 1.;

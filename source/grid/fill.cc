@@ -127,9 +127,10 @@ namespace seiche
              p < points.first_point(cell + 1);
              ++p)
           {
-            loose[p] =
+            // round-off must not make a point part of the quadrature
+            loose[p] = rounded(
               surface().loose_share(cell,
-                                    locator.to_unit(cell, points.position(p)));
+                                    locator.to_unit(cell, points.position(p))));
             has_loose[cell] = has_loose[cell] || loose[p] > 0.;
           }
   }

@@ -137,17 +137,12 @@ namespace seiche
     double      result  = none;
     for (const unsigned int cell : under_ceiling)
       {
-        Point<dim> unit   = locator.to_unit(cell, locator.image(place, cell));
-        unit[dim - 1]     = 1.;
-        const auto level  = view.fill.surface().level_in(cell);
-        double     here   = 0.;
-        bool       inside = true;
+        Point<dim> unit = locator.to_unit(cell, locator.image(place, cell));
+        unit[dim - 1]   = 1.;
+        bool inside     = true;
         for (unsigned int d = 0; d + 1 < dim; ++d)
           inside = inside && unit[d] >= -slack && unit[d] <= 1. + slack;
-        for (unsigned int v = 0; v < level.size(); ++v)
-          here +=
-            level[v] * GeometryInfo<dim>::d_linear_shape_function(unit, v);
-        if (inside && here < 0.)
+        if (inside && level_at(view, cell, unit) < 0.)
           result = std::max(result, ceiling_over(cell));
       }
     return result;

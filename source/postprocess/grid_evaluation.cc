@@ -34,6 +34,19 @@ namespace seiche
   } // namespace
 
   template <int dim>
+  double
+  level_at(const StepView<dim> &view,
+           const unsigned int   cell,
+           const Point<dim>    &unit)
+  {
+    const auto level  = view.fill.surface().level_in(cell);
+    double     result = 0.;
+    for (unsigned int v = 0; v < level.size(); ++v)
+      result += level[v] * GeometryInfo<dim>::d_linear_shape_function(unit, v);
+    return result;
+  }
+
+  template <int dim>
   GridEvaluation<dim>::GridEvaluation(const StepView<dim> &step)
     : view(step)
     , occupancy(step.occupancy)
@@ -112,6 +125,13 @@ namespace seiche
   }
 
   template <int dim>
+  bool
+  GridEvaluation<dim>::is_inside() const
+  {
+    return !view.fill.has_surface() || level_at(view, cell, unit) < 0.;
+  }
+
+  template <int dim>
   double
   GridEvaluation<dim>::value(const Vector &field) const
   {
@@ -151,6 +171,10 @@ namespace seiche
     return occupancy.cell_nodes(cell);
   }
 
+  template double
+  level_at(const StepView<2> &, const unsigned int, const Point<2> &);
+  template double
+  level_at(const StepView<3> &, const unsigned int, const Point<3> &);
   template class GridEvaluation<2>;
   template class GridEvaluation<3>;
 } // namespace seiche

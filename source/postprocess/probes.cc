@@ -255,10 +255,10 @@ namespace seiche
                 locator.owner(cell) != rank ||
                 !here.find(place_with_walls(view, place, theta), theta))
               continue;
-            if (scalar)
-              sum[0] += here.value(p);
-            else
+            if (!scalar)
               sum += here.vector_value(view.state.velocity_np1);
+            else if (here.is_inside()) // at the surface and beyond it is zero
+              sum[0] += here.value(p);
           }
         for (unsigned int c = 0; c < (scalar ? 1 : dim); ++c)
           result.push_back(sum[c] / places[k].size());

@@ -309,12 +309,21 @@ namespace seiche
       return 0.;
     if (body_force.is_constant())
       return body_force.constant_value().norm();
-    double       largest = 0.;
-    const double t       = time + step.theta * step.dt;
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
-      largest =
-        std::max(largest,
-                 body_force.value(occupancy.node_position(i), t).norm());
+    // not of all nodes: how many are numbered around the fluid depends on the
+    // ranks and on earlier steps
+    std::vector<char> has_fluid(occupancy.n_local_nodes(), 0);
+    double            largest = 0.;
+    const double      t       = time + step.theta * step.dt;
+    for (const unsigned int cell : occupancy.occupied_cells())
+      for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+        if (const unsigned int node = occupancy.cell_nodes(cell)[a];
+            !has_fluid[node])
+          {
+            has_fluid[node] = 1;
+            largest         = std::max(
+              largest,
+              body_force.value(occupancy.node_position(node), t).norm());
+          }
     return Utilities::MPI::max(
       largest, occupancy.scalar_partitioner()->get_mpi_communicator());
   }

@@ -301,6 +301,15 @@ namespace seiche
                  const unsigned int component,
                  const bool         released);
 
+    /// True if a wall with fluid at it has let go of an own node: the fluid
+    /// leaves it, and a gap opens that the level set does not see yet.
+    bool
+    leaves_wall(const unsigned int node) const
+    {
+      return (wall_components(node) & ~fixed_components(node) &
+              ~dry_components(node)) != 0;
+    }
+
     /// Components of ghost nodes from their owners. Collective.
     void
     share_fixed();

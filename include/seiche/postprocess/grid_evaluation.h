@@ -8,6 +8,14 @@
 
 namespace seiche
 {
+  /// Level set [cells] of the free surface, at t_n, in an active cell; negative
+  /// inside. Needs the rule of cut cells.
+  template <int dim>
+  double
+  level_at(const StepView<dim>      &view,
+           const unsigned int        cell,
+           const dealii::Point<dim> &unit);
+
   /**
    * @brief Values of nodal fields at a place of the grid.
    *
@@ -40,6 +48,11 @@ namespace seiche
     find_in_cell(const unsigned int        cell,
                  const dealii::Point<dim> &x,
                  const double              theta);
+
+    /// False beyond the free surface, where fields are no more than continued;
+    /// true without one (material points).
+    bool
+    is_inside() const;
 
     /// Value of a scalar field.
     double
