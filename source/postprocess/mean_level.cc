@@ -23,6 +23,11 @@ namespace seiche
     Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
                         view.points.communicator,
                         ArrayView<double>(sums.data(), sums.size()));
+    if (view.tank != nullptr && view.tank->rotation[dim - 1][dim - 1] <= 0.)
+      {
+        statistics.set(column, StatisticsTable::missing);
+        return;
+      }
     // no fluid, or all of it in flight, but for round-off
     const double cell         = std::pow(view.smallest_extent, dim - 1);
     const auto [lower, upper] = view.box.get_boundary_points();

@@ -133,6 +133,17 @@ def exact_error_control(make, folder, ranks):
     assert '"Time/Step control"' in text, text
 
 
+def exact_tank_adaptive(make, folder, ranks):
+    exact(make(SCENE_TANK, ranks, ["Refinement surface/Criterion = free surface",
+                                   "Refinement surface/Level = 1"]),
+          folder, ["statistics.csv"], ["0.13", "0.29"])
+
+
+def exact_tank_quadratic(make, folder, ranks):
+    exact(make(SCENE_TANK, ranks, ["Formulation/Element degree = 2"]),
+          folder, ["statistics.csv"], ["0.13", "0.29"])
+
+
 def exact_adaptive(make, folder, ranks):
     """The surface follows from the points alone; its frames go on."""
     options = ["Output/Mean level = true",
@@ -415,6 +426,9 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_quadratic_2_ranks": (exact_quadratic, 2),
          "exact_piston": (exact_piston, 1),
          "exact_tank": (exact_tank, 1), "exact_tank_2_ranks": (exact_tank, 2),
+         "exact_tank_adaptive": (exact_tank_adaptive, 1),
+         "exact_tank_adaptive_2_ranks": (exact_tank_adaptive, 2),
+         "exact_tank_quadratic": (exact_tank_quadratic, 1),
          "exact_3d": (exact_3d, 1), "exact_3d_2_ranks": (exact_3d, 2),
          "exact_ml_2_ranks": (exact_ml, 2),
          "exact_error_control_2_ranks": (exact_error_control, 2),

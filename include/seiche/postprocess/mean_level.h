@@ -15,7 +15,8 @@ namespace seiche
    * drops, as if they had fallen: a splash does not change it. If there is
    * no surface, that of all drops over the whole bottom. With material points
    * it is the volume of the points over the whole bottom. Vertical is the last
-   * direction.
+   * direction, of a tank that moves its own; missing while that does not point
+   * upwards (a tank rolled by 90 degrees or more stands on no bottom).
    */
   template <int dim>
   class MeanLevel : public Postprocessor<dim>
