@@ -135,6 +135,16 @@ namespace seiche
   {}
 
   template <int dim>
+  std::vector<std::string>
+  Alarms<dim>::summary_numbers()
+  {
+    std::vector<std::string> names;
+    for (const Quantity &quantity : quantities)
+      names.push_back(std::string("largest/") + quantity.name);
+    return names;
+  }
+
+  template <int dim>
   void
   Alarms<dim>::execute(const StepView<dim> &view,
                        StatisticsTable & /*statistics*/)

@@ -190,6 +190,7 @@ namespace seiche
   void
   PostprocessorList<dim>::check(const GridParameters<dim>      &grid,
                                 const std::vector<std::string> &other_columns,
+                                const std::vector<std::string> &other_numbers,
                                 const bool tank_moves) const
   {
     Implementation          &all     = *implementation;
@@ -208,13 +209,21 @@ namespace seiche
     check_instances(all.tracks, all.input, grid, columns);
     check_instances(all.forces, all.input, grid, columns);
     check_instances(all.errors, all.input, grid, columns);
+    std::vector<std::string> numbers = other_numbers;
+    const auto add = [&numbers](const std::vector<std::string> &names) {
+      numbers.insert(numbers.end(), names.begin(), names.end());
+    };
+    add(MassAndEnergy<dim>::summary_numbers());
+    if (tank_moves)
+      add(TankRecord<dim>::summary_numbers());
+    add(Alarms<dim>::summary_numbers());
     for (const ScoreParameters &score : all.score_parameters)
-      score.check(all.input, columns);
-    std::vector<std::string> scores;
-    for (const ScoreParameters &score : all.score_parameters)
-      scores.push_back(score.name);
+      {
+        score.check(all.input, columns);
+        add({VerdictParameters::of_scores + score.name});
+      }
     for (VerdictParameters &verdict : all.verdicts)
-      verdict.check(all.input, scores);
+      verdict.check(all.input, numbers);
     all.input.read_only_if(!all.verdicts.empty(),
                            "Output/Exit code by verdict",
                            "a Verdict NAME");

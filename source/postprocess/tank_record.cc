@@ -44,6 +44,13 @@ namespace seiche
   }
 
   template <int dim>
+  std::vector<std::string>
+  TankRecord<dim>::summary_numbers()
+  {
+    return {"ledger/tank_work", "ledger/momentum_imbalance_max"};
+  }
+
+  template <int dim>
   void
   TankRecord<dim>::execute(const StepView<dim> &view,
                            StatisticsTable     &statistics)

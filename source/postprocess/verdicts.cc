@@ -15,25 +15,24 @@ namespace seiche
 {
   namespace
   {
-    const std::string of_scores = "errors/", of_alarms = "largest/";
+    const std::string of_alarms = "largest/";
 
-    /// The number at a path "ledger/lost_points"; null if there is none.
+    /// The number at a path "ledger/lost_points", whose last part may have
+    /// slashes of its own (units, names of scores); null if there is none.
     const nlohmann::ordered_json *
     number_at(const nlohmann::ordered_json &summary, const std::string &path)
     {
-      const nlohmann::ordered_json *here = &summary;
-      for (std::size_t begin = 0; begin <= path.size();)
-        {
-          const std::size_t end  = std::min(path.find('/', begin), path.size());
-          const std::string part = path.substr(begin, end - begin);
-          if (!here->is_object() || !here->contains(part))
-            return nullptr;
-          here  = &(*here)[part];
-          begin = end + 1;
-        }
-      return here->is_number() ? here : nullptr;
+      if (summary.contains(path))
+        return summary[path].is_number() ? &summary[path] : nullptr;
+      const std::size_t slash = path.find('/');
+      const std::string part  = path.substr(0, slash);
+      if (slash == std::string::npos || !summary.contains(part))
+        return nullptr;
+      return number_at(summary[part], path.substr(slash + 1));
     }
   } // namespace
+
+  const std::string VerdictParameters::of_scores = "errors/";
 
   void
   VerdictParameters::add_parameters(dealii::ParameterHandler &prm)
@@ -53,7 +52,7 @@ namespace seiche
 
   void
   VerdictParameters::check(const InputFile                &input,
-                           const std::vector<std::string> &scores)
+                           const std::vector<std::string> &numbers)
   {
     const std::string section = std::string(kind) + " " + name;
     input.require(!at_least_text.empty() || !at_most_text.empty(),
@@ -64,16 +63,15 @@ namespace seiche
         entry_values::number(input, section + "/At least", at_least_text);
     if (!at_most_text.empty())
       at_most = entry_values::number(input, section + "/At most", at_most_text);
-    if (value.rfind(of_scores, 0) != 0)
-      return;
-    const std::string score = value.substr(of_scores.size());
-    const std::string hint  = nearest_hint(score, scores);
-    input.require(std::find(scores.begin(), scores.end(), score) !=
-                    scores.end(),
+    const std::string hint = nearest_hint(value, numbers);
+    input.require(std::find(numbers.begin(), numbers.end(), value) !=
+                    numbers.end(),
                   section + "/Value",
-                  "there is no \"Score " + score + "\"" +
-                    (hint.empty() ? "." : hint) + " Scores are " +
-                    (scores.empty() ? "none" : quoted_list(scores)) + ".");
+                  "summary.json will have no such number" +
+                    (hint.empty() ? "." : hint) + " Numbers are " +
+                    quoted_list(numbers) +
+                    ". A column of statistics.csv (of a gauge, a probe, a "
+                    "front) is judged by a Score: errors/NAME.");
   }
 
   nlohmann::ordered_json

@@ -81,6 +81,20 @@ namespace seiche
 
 
 
+    /// "the tables s(t), w(t) of this file", or how to have one.
+    std::string
+    tables_of(const InputFile &input)
+    {
+      std::string text;
+      for (const std::string &name : input.instances(TableParameters::kind))
+        text += (text.empty() ? "" : ", ") + name + "(t)";
+      return text.empty() ? "tables of this file, of which there is none "
+                            "(subsection \"Table NAME\": NAME(t))" :
+                            "the tables of this file: " + text;
+    }
+
+
+
     /// A table as a function of muParser's.
     struct Signal
     {
@@ -232,10 +246,11 @@ namespace seiche
       {
         input->fail(path,
                     fmt::format("{}; allowed are x, y{}, t, pi, e, numbers, "
-                                "+ - * / ^, comparisons and the functions of "
-                                "muParser.",
+                                "+ - * / ^, comparisons, the functions of "
+                                "muParser and {}.",
                                 message_of(error),
-                                dim == 3 ? ", z" : ""));
+                                dim == 3 ? ", z" : "",
+                                tables_of(*input)));
       }
   }
 

@@ -33,8 +33,8 @@ namespace seiche
   void
   AcceptedFailures::summarize(nlohmann::ordered_json &summary) const
   {
-    summary["accepted_failing_steps"] = steps;
-    summary["points_held_back"]       = points;
+    summary[summary_numbers[0]] = steps;
+    summary[summary_numbers[1]] = points;
   }
 
   void

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/scene/wall_motion.h>
 #include <seiche/scene/wall_velocity.h>
+#include <seiche/simulation/accepted_failures.h>
 #include <seiche/simulation/scene.h>
 #include <seiche/utilities/exceptions.h>
 
@@ -159,7 +160,10 @@ namespace seiche
                        "a tank with periodic sides cannot turn: accelerations "
                        "would differ at the two sides. Leave it empty, or give "
                        "the tank walls.");
-    postprocessors.check(grid, simulation_columns(), tank_motion.any());
+    postprocessors.check(grid,
+                         simulation_columns(),
+                         summary_numbers(),
+                         tank_motion.any());
   }
 
   template <int dim>
@@ -194,6 +198,32 @@ namespace seiche
       names.push_back("time_error [cells]");
     const auto account = PointControl<dim>::account_names(point_control);
     names.insert(names.end(), account.begin(), account.end());
+    return names;
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  Scene<dim>::summary_numbers() const
+  {
+    std::vector<std::string> names = {"dim",
+                                      "points",
+                                      "cells",
+                                      "occupied_cells_max",
+                                      "work_imbalance",
+                                      "points_put_back",
+                                      "dofs_max",
+                                      "end_time",
+                                      "steps",
+                                      "rejected_steps",
+                                      "newton_iterations",
+                                      "krylov_iterations"};
+    if (time.controls_error())
+      names.push_back("time_error");
+    if (time.accepts_failing_steps())
+      for (const char *name : AcceptedFailures::summary_numbers)
+        names.push_back(name);
+    for (const auto &name : PointControl<dim>::account_names(point_control))
+      names.push_back("point control/" + name);
     return names;
   }
 

@@ -6,12 +6,14 @@
 
 Every case must end with the exit code of its kind, one message on standard
 error that holds the expected texts (file:line and the entry among them),
-nothing on standard output, and must leave the folder as it was. The group
-"shipped" validates every parameter file of the project instead.
+nothing on standard output, and must leave the folder as it was. The group "numbers"
+compares what a verdict may name with what a run has, "shipped" validates every
+parameter file of the project instead.
 """
 
 import argparse
 import fcntl
+import json
 import os
 import pathlib
 import subprocess
@@ -448,7 +450,22 @@ GEOMETRY = [
          **added("subsection Score speed\n  set Column = speed_max [m/s]\nend\n"
                  "subsection Verdict v\n  set Value = errors/sped\n"
                  "  set At most = 1\nend\n"),
-         line=LAST + 5, expect=['"Value" in "Verdict v"', 'did you mean "speed"']),
+         line=LAST + 5, expect=['"Value" in "Verdict v"',
+                                'did you mean "errors/speed"']),
+    Case("verdict on a number that there is not",
+         **added("subsection Verdict v\n  set Value = ledger/lost_point\n"
+                 "  set At most = 0\nend\n"),
+         line=LAST + 2, expect=['did you mean "ledger/lost_points"',
+                                '"largest/overfull"', '"rejected_steps"']),
+    Case("verdict on a number of a tank that stands still",
+         **added("subsection Verdict v\n  set Value = ledger/tank_work\n"
+                 "  set At most = 0\nend\n"),
+         line=LAST + 2, expect=["no such number"], unexpected=["momentum_imbalance"]),
+    Case("verdict on a gauge",
+         **added("subsection Gauge g\n  set Position = 0.1, 0\nend\n"
+                 "subsection Verdict v\n  set Value = g [m]\n"
+                 "  set At most = 0\nend\n"),
+         line=LAST + 5, expect=["no such number", "Score: errors/NAME"]),
     Case("verdict without a bound",
          **added("subsection Verdict v\n  set Value = steps\nend\n"),
          line=LAST + 1, expect=['"At most" in "Verdict v"', "bound"]),
@@ -535,7 +552,9 @@ TABLES = [
                line=LAST + 1, expect=['"File" in "Table s"', "mandatory"]),
     with_table("misspelt call", text=TABLE, line=None,
                arguments=["scene.prm", "--set", "Walls/Left displacement = r(t)"],
-               expect=['"Left displacement"', '"r"']),
+               expect=['"Left displacement"', '"r"', "the tables of this file: s(t)"]),
+    Case("table: a call without any", "0; -9.81", "0; w(t)",
+         expect=['"Acceleration"', '"w"', 'subsection "Table NAME"']),
 ] + [
     Case(f"tank motion {entry} = {text}",
          arguments=["scene.prm", "--set", f"Tank motion/{entry} = {text}"],
@@ -783,6 +802,61 @@ def run_case(program, case, folder):
     return problems, result.stdout + result.stderr
 
 
+def numbers_in(summary, path=""):
+    """Paths of the numbers of a summary, and of those that are null."""
+    for name, value in summary.items():
+        if isinstance(value, dict):
+            yield from numbers_in(value, path + name + "/")
+        elif value is None or isinstance(value, (int, float)):
+            yield path + name
+
+
+# Known to the run alone, after its verdicts.
+AFTERWARDS = {"cpu_seconds", "wall_seconds", "peak_memory_mib", "ranks"}
+
+WITH_NUMBERS = {  # all that adds some, in 2D and 3D
+    "flat": "subsection Time\n  set Failing steps = accepted\nend\nsubsection Points\n"
+            "  set Shifting sweeps = 1\n  set Reseeding = true\nend\nsubsection Tank motion\n"
+            "  set Rotation = 0.1*t\nend\nsubsection Score s\n"
+            "  set Column = speed_max [m/s]\nend\n",
+    "deep": "subsection Time\n  set Step control = error\nend\n"}
+
+
+def check_numbers(program):
+    """A verdict may name just the numbers that the summary of a run has."""
+    failures = 0
+    for name, text in WITH_NUMBERS.items():
+        scene = SCENE + text
+        if name == "deep":
+            for old, new in (("Dimension = 2", "Dimension = 3"), ("= 0, 0", "= 0, 0, 0"),
+                             ("1.0, 0.5", "1.0, 0.5, 0.2"), ("0; -9.81", "0; 0; -9.81"),
+                             ("0.4, 0.3", "0.4, 0.3, 0.2")):
+                scene = scene.replace(old, new)
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            (folder / "scene.prm").write_text(scene)
+            command = [program, "scene.prm", "--output", "out"]
+            run = subprocess.run(command, cwd=folder, capture_output=True, text=True,
+                                 timeout=120)
+            if run.returncode != 0:
+                print(f"FAILED: {name}: {run.stderr}")
+                return 1
+            has = json.loads((folder / "out/summary.json").read_text())
+            (folder / "scene.prm").write_text(
+                scene + "subsection Verdict v\n  set Value = none\n  set At most = 0\nend\n")
+            asked = subprocess.run([*command, "--validate"], cwd=folder,
+                                   capture_output=True, text=True, timeout=120)
+        has.pop("phase_seconds")
+        has.pop("alarms", None)  # what they say is below "largest"
+        names = asked.stderr.split("Numbers are ")[1].rsplit('". A column', 1)[0]
+        difference = (set(numbers_in(has)) - AFTERWARDS) ^ set(names.strip('"').split('", "'))
+        if difference:
+            failures += 1
+            print(f"FAILED: {name}: on one side only: {', '.join(sorted(difference))}")
+    print(f"{len(WITH_NUMBERS)} scenes, {failures} failed")
+    return 1 if failures else 0
+
+
 def check_shipped(program):
     """Every parameter file of the project is valid and has no entry in vain."""
     root = pathlib.Path(__file__).resolve().parents[2]
@@ -804,10 +878,12 @@ def check_shipped(program):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=pathlib.Path)
-    parser.add_argument("group", choices=[*GROUPS, "shipped", "all"])
+    parser.add_argument("group", choices=[*GROUPS, "numbers", "shipped", "all"])
     parser.add_argument("--verbose", action="store_true")
     options = parser.parse_args()
     program = str(options.program.resolve())
+    if options.group == "numbers":
+        return check_numbers(program)
     if options.group == "shipped":
         return check_shipped(program)
     cases = [case for name, group in GROUPS.items() for case in group

@@ -36,6 +36,10 @@ namespace seiche
     /// object.
     explicit Alarms(const MassAndEnergy<dim> &ledger);
 
+    /// Paths of the numbers that finish() always adds.
+    static std::vector<std::string>
+    summary_numbers();
+
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 

@@ -36,6 +36,22 @@ namespace seiche
     static std::vector<std::string>
     columns();
 
+    /// Paths of the numbers that finish() adds.
+    static std::vector<std::string>
+    summary_numbers()
+    {
+      return {"ledger/mass_relative_change",
+              "ledger/volume_relative_change",
+              "ledger/angular_momentum_relative_change",
+              "ledger/energy_initial",
+              "ledger/energy_final",
+              "ledger/energy_max_relative_gain",
+              "ledger/lost_points",
+              "ledger/outflow_points",
+              "ledger/overfull_fraction",
+              "ledger/overfull_fraction_mean"};
+    }
+
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 

@@ -47,12 +47,14 @@ namespace seiche
     add_parameters(dealii::ParameterHandler &prm);
 
     /// Check the parsed entries (names of columns and walls, expressions,
-    /// reference tables). @p other_columns: of the statistics, beside those
+    /// reference tables, paths of verdicts). @p other_columns: of the
+    /// statistics, and @p other_numbers: paths in summary.json, beside those
     /// that the postprocessors add; @p tank_moves: a "Tank motion" adds some.
     /// InputError with place.
     void
     check(const GridParameters<dim>      &grid,
           const std::vector<std::string> &other_columns,
+          const std::vector<std::string> &other_numbers,
           const bool                      tank_moves = false) const;
 
     /// Make the postprocessors. @p directory empty: no files (validation).

@@ -27,6 +27,10 @@ namespace seiche
     static std::vector<std::string>
     columns();
 
+    /// Paths of the numbers that finish() adds.
+    static std::vector<std::string>
+    summary_numbers();
+
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 

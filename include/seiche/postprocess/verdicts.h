@@ -21,6 +21,8 @@ namespace seiche
   struct VerdictParameters
   {
     static constexpr const char *kind = "Verdict";
+    /// Path in summary.json of the results of scores.
+    static const std::string of_scores;
 
     std::string name;
     std::string value;                       ///< path in summary.json
@@ -30,9 +32,9 @@ namespace seiche
 
     void
     add_parameters(dealii::ParameterHandler &prm);
-    /// Read the bounds. @p scores: names of the scene's.
+    /// Read the bounds. @p numbers: paths of all that the summary will have.
     void
-    check(const InputFile &input, const std::vector<std::string> &scores);
+    check(const InputFile &input, const std::vector<std::string> &numbers);
   };
 
   /// "passed" (true or false) and "failed" (a text for each verdict that the

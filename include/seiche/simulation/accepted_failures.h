@@ -5,6 +5,7 @@
 #include <seiche/simulation/run_report.h>
 #include <seiche/solve/newton.h>
 
+#include <array>
 #include <cstdint>
 
 namespace seiche
@@ -24,6 +25,10 @@ namespace seiche
             const double        time,
             const MPI_Comm      communicator,
             RunReport          &report);
+
+    /// Names of the counts in summary.json.
+    static constexpr std::array<const char *, 2> summary_numbers = {
+      {"accepted_failing_steps", "points_held_back"}};
 
     /// The counts, for summary.json.
     void

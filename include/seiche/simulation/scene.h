@@ -62,6 +62,10 @@ namespace seiche
     std::vector<std::string>
     simulation_columns() const;
 
+    /// Paths of the numbers of summary.json that Simulation sets itself.
+    std::vector<std::string>
+    summary_numbers() const;
+
     const InputFile &input;
 
     GridParameters<dim>                   grid;
