@@ -15,7 +15,6 @@ CAUSES = (
     ("linear solver", "linear solver"),
     ("velocity projection", "velocity projection"),
     ("consistent start", "consistent start"),
-    ("all fluid has left", "all fluid left"),
     ("is lost|vanished", "lost point"),
     ("not finite", "not finite"),
     ("volume changes by", "volume of a point collapses"),

@@ -180,42 +180,74 @@ namespace seiche
 
 
 
-  template <int dim>
-  SampledVolume
-  sampled_volume(const GridParameters<dim>         &grid,
-                 const std::vector<FluidBody<dim>> &bodies,
-                 const unsigned int                 body)
+  namespace
   {
-    const double of_all  = 65536.; // samples, whatever the number of bodies
-    const unsigned int n = std::ceil(
+    /// By @p n samples in each direction.
+    template <int dim>
+    SampledBody<dim>
+    sample_body(const GridParameters<dim>         &grid,
+                const std::vector<FluidBody<dim>> &bodies,
+                const unsigned int                 body,
+                const unsigned int                 n)
+    {
+      const auto       box       = bodies[body].region->bounding_box();
+      unsigned int     n_samples = 1, lowest = n, highest = 0;
+      SampledBody<dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        n_samples *= n;
+      for (unsigned int i = 0; i < n_samples; ++i)
+        {
+          dealii::Point<dim> place; // in the unit box
+          unsigned int       rest = i, layer = 0;
+          for (unsigned int d = 0; d < dim; ++d, rest /= n)
+            {
+              layer    = rest % n; // at last the vertical one
+              place[d] = (layer + 0.5) / n;
+            }
+          place = box.unit_to_real(place);
+          if (content_at(place, grid, bodies) != static_cast<int>(body))
+            continue;
+          result.places.push_back(place);
+          lowest  = std::min(lowest, layer);
+          highest = std::max(highest, layer);
+        }
+      const double n_inside = static_cast<double>(result.places.size());
+      const double begin    = box.lower_bound(dim - 1),
+                   end      = box.upper_bound(dim - 1);
+      result.resolution     = box.volume() / n_samples;
+      result.is_whole       = result.places.size() == n_samples;
+      result.volume =
+        result.is_whole ? box.volume() : n_inside * result.resolution;
+      result.ends_at_box = lowest == 0 && highest + 1 == n;
+      result.bottom = lowest == 0 ? begin : begin + (end - begin) * lowest / n;
+      result.top =
+        highest + 1 == n ? end : begin + (end - begin) * (highest + 1) / n;
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<SampledBody<dim>>
+  sample_bodies(const GridParameters<dim>         &grid,
+                const std::vector<FluidBody<dim>> &bodies)
+  {
+    constexpr double   of_all = 65536.; // samples, of however many bodies
+    const unsigned int n      = std::ceil(
       std::pow(of_all / static_cast<double>(bodies.size()), 1. / dim));
-    const auto   box    = bodies[body].region->bounding_box();
-    unsigned int inside = 0, samples = 1;
-    for (unsigned int d = 0; d < dim; ++d)
-      samples *= n;
-    for (unsigned int i = 0; i < samples; ++i)
-      {
-        dealii::Point<dim> place; // in the unit box
-        unsigned int       rest = i;
-        for (unsigned int d = 0; d < dim; ++d, rest /= n)
-          place[d] = (rest % n + 0.5) / n;
-        inside += content_at(box.unit_to_real(place), grid, bodies) ==
-                  static_cast<int>(body);
-      }
-    const double of_one = box.volume() / samples;
-    return {inside * of_one, of_one};
+    std::vector<SampledBody<dim>> result;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      result.push_back(sample_body(grid, bodies, b, n));
+    return result;
   }
 
 
 
-  template SampledVolume
-  sampled_volume(const GridParameters<2> &,
-                 const std::vector<FluidBody<2>> &,
-                 const unsigned int);
-  template SampledVolume
-  sampled_volume(const GridParameters<3> &,
-                 const std::vector<FluidBody<3>> &,
-                 const unsigned int);
+  template std::vector<SampledBody<2>>
+  sample_bodies(const GridParameters<2> &, const std::vector<FluidBody<2>> &);
+  template std::vector<SampledBody<3>>
+  sample_bodies(const GridParameters<3> &, const std::vector<FluidBody<3>> &);
   template class SceneMap<2>;
   template class SceneMap<3>;
 } // namespace seiche

@@ -32,10 +32,10 @@ namespace seiche
     /// Entries and files of tables that a checkpoint must have, too.
     template <int dim>
     ParameterValues
-    what_must_agree(const Scene<dim>               &scene,
-                    const dealii::ParameterHandler &prm)
+    what_must_agree(const PlannedScene<dim> &planned)
     {
-      ParameterValues values = fixed_parameters(current_values(prm));
+      const Scene<dim> &scene  = planned.scene;
+      ParameterValues   values = fixed_parameters(current_values(planned.prm));
       for (const TableParameters &table : scene.tables)
         {
           const std::string text =
@@ -56,15 +56,14 @@ namespace seiche
              PlannedScene<dim> &planned,
              const MPI_Comm     communicator)
     {
-      const dealii::ParameterHandler &prm   = planned.prm;
-      Scene<dim>                     &scene = planned.scene;
+      Scene<dim>  &scene       = planned.scene;
       const double last_moment = wall_clock() + 3600. * command_line.max_hours;
       const std::string &directory = command_line.output;
       const bool         restarts  = command_line.restart;
       TimerTree          timer;
       RunReport    report({directory, scene.time.end_time, scene.test_log},
                        communicator);
-      ResultFolder folder(directory, what_must_agree(scene, prm), communicator);
+      ResultFolder folder(directory, what_must_agree(planned), communicator);
 
       std::unique_ptr<const Checkpoint> start;
       std::string                       origin;
@@ -91,7 +90,7 @@ namespace seiche
       report.header(simulation->description());
       if (!restarts)
         {
-          const SceneScales scales = simulation->scene_scales();
+          const SceneScales &scales = planned.plan.scales;
           report.header(scales.text());
           for (const std::string &text : scales.doubts())
             report.warn(text, "");
@@ -102,7 +101,7 @@ namespace seiche
         report.header("going on from " + origin);
       else
         folder.clear(report);
-      folder.begin(scene.input, prm, report, restarts);
+      folder.begin(scene.input, planned.prm, report, restarts);
       try
         {
           stop_signal::install();

@@ -338,8 +338,6 @@ namespace seiche
           print(fmt::format("warning: {} times: {}", count, text));
       }
 
-    if (complete.contains("verdict"))
-      print(verdict_text(complete));
     const std::string times = timer.report();
     header("\n" + times);
     if (!options.directory.empty())
@@ -351,11 +349,19 @@ namespace seiche
                               stream << complete.dump(2) << '\n';
                             });
         progress_file.end("finished");
-        header(fmt::format("finished: results are in {0}/; look at "
-                           "{0}/summary.json and {0}/statistics.csv{1}",
-                           options.directory,
-                           alarm_text(complete)));
+        header(
+          fmt::format("finished{2}: results are in {0}/; look at "
+                      "{0}/summary.json and {0}/statistics.csv{1}",
+                      options.directory,
+                      alarm_text(complete),
+                      complete.contains("empty_since") ?
+                        fmt::format(", for no fluid is left since t = "
+                                    "{:.6g} s",
+                                    complete["empty_since"].get<double>()) :
+                        ""));
       }
+    if (complete.contains("verdict")) // the last words
+      header(verdict_text(complete));
     if (test_output.is_open())
       test_output.close();
     if (log.is_open())

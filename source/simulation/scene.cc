@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_reader.h>
 #include <seiche/scene/wall_motion.h>
 #include <seiche/scene/wall_velocity.h>
 #include <seiche/simulation/accepted_failures.h>
@@ -6,10 +7,38 @@
 #include <seiche/utilities/exceptions.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <functional>
 
 namespace seiche
 {
   using namespace dealii;
+
+  namespace
+  {
+    /// InputError with the mistakes of all checks, which do not need each
+    /// other.
+    void
+    require_all(const std::vector<std::function<void()>> &checks)
+    {
+      std::vector<std::string> problems;
+      for (const auto &check : checks)
+        try
+          {
+            check();
+          }
+        catch (const InputError &error)
+          {
+            // a table may be read by several
+            if (std::find(problems.begin(), problems.end(), error.what()) ==
+                problems.end())
+              problems.emplace_back(error.what());
+          }
+      throw_problems(problems);
+    }
+  } // namespace
 
   template <int dim>
   Scene<dim>::Scene(const InputFile &input_file)
@@ -82,46 +111,24 @@ namespace seiche
   void
   Scene<dim>::check(const InputFile &input_file)
   {
+    std::vector<std::function<void()>> of_sections = {
+      [&]() { grid.check(input_file); },
+      [&]() { body_force.check(input_file, time.end_time); },
+      [&]() { tank_motion.check(input_file); },
+      [&]() { fluid.check(input_file); },
+      [&]() { seeding.check(input_file); },
+      [&]() { formulation.check(input_file); },
+      [&]() { time.check(input_file); }};
     for (const auto &table : tables)
-      table.check(input_file);
+      of_sections.emplace_back([&]() { table.check(input_file); });
     for (const auto &body : bodies)
-      body.check(input_file);
-    grid.check(input_file);
-    (void)WallVelocity<dim>(grid, input_file, time.end_time);
-    const WallMotion<dim> wall_motion(grid, input_file, time.end_time);
-    body_force.check(input_file, time.end_time);
-    tank_motion.check(input_file);
-    (void)make_tank_motion();
-    fluid.check(input_file);
-    seeding.check(input_file);
-    formulation.check(input_file);
-    free_surface.check(input_file, formulation.is_mixed());
-    time.check(input_file);
-    time_scheme.check(input_file,
-                      formulation.is_mixed() && fluid.is_incompressible());
-    input_file.read_only_if(formulation.is_mixed(),
-                            "Time/Velocity projection",
-                            "Formulation/Name = displacement-pressure");
-    input_file.read_only_if(quadrature.has_surface(),
-                            "Points/Density rate",
-                            "Quadrature/Rule = cut cells");
-    if (quadrature.has_surface())
-      input_file.cites(point_control.density_rate > 0. ?
-                         "saye2015 kugelstadt2021" :
-                         "saye2015");
-    if (uses_mean_volume())
-      input_file.cites("bonet1998");
-    transfer.check(input_file, formulation.degree, seeding.per_direction);
-    linear_solver.check(input_file, formulation.is_mixed());
-    unsigned int per_cell = 1;
-    for (unsigned int d = 0; d < dim; ++d)
-      per_cell *= seeding.per_direction;
-    point_control.check(input_file,
-                        Transfer<dim>::columns(transfer).count(
-                          PointColumn::velocity_gradient) > 0,
-                        per_cell);
+      of_sections.emplace_back([&]() { body.check(input_file); });
+    require_all(of_sections);
+    check_choices(input_file);
+
     input_file.require(
-      !(grid.any_unilateral() || grid.any_friction() || wall_motion.any()) ||
+      !(grid.any_unilateral() || grid.any_friction() ||
+        WallMotion<dim>(grid, input_file, time.end_time).any()) ||
         time_scheme.scheme == "generalized midpoint",
       "Time/Scheme",
       "unilateral walls, walls with friction and walls with a "
@@ -164,6 +171,45 @@ namespace seiche
                          simulation_columns(),
                          summary_numbers(),
                          tank_motion.any());
+  }
+
+  template <int dim>
+  void
+  Scene<dim>::check_choices(const InputFile &input_file)
+  {
+    const bool is_mixed = formulation.is_mixed();
+    input_file.read_only_if(is_mixed,
+                            "Time/Velocity projection",
+                            "Formulation/Name = displacement-pressure");
+    input_file.read_only_if(quadrature.has_surface(),
+                            "Points/Density rate",
+                            "Quadrature/Rule = cut cells");
+    if (quadrature.has_surface())
+      input_file.cites(point_control.density_rate > 0. ?
+                         "saye2015 kugelstadt2021" :
+                         "saye2015");
+    if (uses_mean_volume())
+      input_file.cites("bonet1998");
+    const bool has_gradient = Transfer<dim>::columns(transfer).count(
+                                PointColumn::velocity_gradient) > 0;
+    require_all(
+      {[&]() { (void)WallVelocity<dim>(grid, input_file, time.end_time); },
+       [&]() { (void)WallMotion<dim>(grid, input_file, time.end_time); },
+       [&]() { (void)make_tank_motion(); },
+       [&]() { free_surface.check(input_file, is_mixed); },
+       [&]() {
+         time_scheme.check(input_file, is_mixed && fluid.is_incompressible());
+       },
+       [&]() {
+         transfer.check(input_file, formulation.degree, seeding.per_direction);
+       },
+       [&]() { linear_solver.check(input_file, is_mixed); },
+       [&]() {
+         point_control.check(input_file,
+                             has_gradient,
+                             Utilities::fixed_power<dim>(
+                               seeding.per_direction));
+       }});
   }
 
   template <int dim>

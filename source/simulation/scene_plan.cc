@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/points/body_pieces.h>
 #include <seiche/postprocess/output_parameters.h>
-#include <seiche/scene/largest_wall_speed.h>
 #include <seiche/simulation/cost_model.h>
 #include <seiche/simulation/scene_plan.h>
 #include <seiche/utilities/readable.h>
@@ -46,23 +45,6 @@ namespace seiche
       const auto      space = std::filesystem::space(path, error);
       return error ? std::numeric_limits<double>::infinity() :
                      static_cast<double>(space.available);
-    }
-
-    /// Largest speed of the bodies at the start [m/s].
-    template <int dim>
-    double
-    initial_speed(const std::vector<FluidBody<dim>> &bodies,
-                  const SceneMap<dim>               &map)
-    {
-      double result = 0.;
-      map.for_each([&](const auto &piece) {
-        if (piece.content < 0)
-          return;
-        const Expression<dim> &velocity = *bodies[piece.content].velocity;
-        result                          = std::max(result,
-                          velocity.vector_value(piece.centre, /*t=*/0.).norm());
-      });
-      return result;
     }
 
     /// Speed of the fluid if it had all the potential energy that it loses on
@@ -138,6 +120,19 @@ namespace seiche
         static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
       return in_a_step * seconds / static_cast<double>(places.size());
     }
+    /// Points of a body over those of its volume: a box thinner than their
+    /// spacing holds a layer even so (BodyPieces::Lattice). @p per_length: of
+    /// the points [1/m].
+    template <int dim>
+    double
+    thinness(const Region<dim> &region, const double per_length)
+    {
+      double result = 1.;
+      for (unsigned int d = 0; region.is_box() && d < dim; ++d)
+        result /=
+          std::min(1., region.bounding_box().side_length(d) * per_length);
+      return result;
+    }
   } // namespace
 
   template <int dim>
@@ -148,10 +143,12 @@ namespace seiche
     const SceneMap<dim> map(scene.grid, bodies, pieces_per_direction<dim>);
     mesh = estimate_mesh(scene.grid, map);
 
-    count_points(scene, bodies, map);
+    const auto samples = sample_bodies(scene.grid, bodies);
+    count_points(scene, bodies, samples, map);
     const TankMotion<dim> tank = scene.make_tank_motion();
     const BodyForce<dim>  force(scene.body_force, tank, scene.input);
-    count_steps(scene, bodies, map, force, tank);
+    scales = SceneScales(scene, bodies, samples, force, smallest.edge);
+    count_steps(scene, map, force);
 
     const CostModel cost(dim,
                          scene.formulation.degree,
@@ -165,9 +162,10 @@ namespace seiche
 
   template <int dim>
   void
-  ScenePlan<dim>::count_points(const Scene<dim>                  &scene,
-                               const std::vector<FluidBody<dim>> &bodies,
-                               const SceneMap<dim>               &map)
+  ScenePlan<dim>::count_points(const Scene<dim>                    &scene,
+                               const std::vector<FluidBody<dim>>   &bodies,
+                               const std::vector<SampledBody<dim>> &samples,
+                               const SceneMap<dim>                 &map)
   {
     double in_map = 0.;
     map.for_each([&](const auto &piece) {
@@ -182,8 +180,9 @@ namespace seiche
       Utilities::fixed_power<dim>(smallest.edge / per_direction);
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        const SampledVolume sampled = sampled_volume(scene.grid, bodies, b);
-        points += sampled.volume * per_volume;
+        const SampledBody<dim> &sampled = samples[b];
+        points += sampled.volume * per_volume *
+                  thinness(*bodies[b].region, std::pow(per_volume, 1. / dim));
         if (sampled.volume + sampled.resolution <
             BodyPieces<dim>::light * of_smallest_point)
           empty_bodies.push_back(bodies[b].name);
@@ -192,23 +191,17 @@ namespace seiche
 
   template <int dim>
   void
-  ScenePlan<dim>::count_steps(const Scene<dim>                  &scene,
-                              const std::vector<FluidBody<dim>> &bodies,
-                              const SceneMap<dim>               &map,
-                              const BodyForce<dim>              &force,
-                              const TankMotion<dim>             &tank)
+  ScenePlan<dim>::count_steps(const Scene<dim>     &scene,
+                              const SceneMap<dim>  &map,
+                              const BodyForce<dim> &force)
   {
     const TimeStepParameters &time = scene.time;
     steps           = std::ceil(std::max(0., time.end_time / time.step - 1e-9));
     steps_are_least = time.is_controlled();
-    // of every scene: it shows velocities that are no numbers
-    const double start = initial_speed(bodies, map);
     if (!time.controls_courant_number())
       return;
-    const double speed = std::max(
-      {start,
-       speed_of_fall(force, map),
-       largest_wall_speed(scene.grid, tank, scene.input, time.end_time)});
+    const double speed =
+      std::max({scales.speed, scales.walls, speed_of_fall(force, map)});
     steps =
       std::max(steps,
                std::ceil(time.end_time * speed / (time.cfl * smallest.edge)));
@@ -325,7 +318,7 @@ namespace seiche
   std::vector<std::string>
   ScenePlan<dim>::doubts(const std::string &directory) const
   {
-    std::vector<std::string> result;
+    std::vector<std::string> result = scales.doubts();
     if (seconds > a_month)
       result.push_back(fmt::format("the run would take {} of processor time: "
                                    "choose larger cells or steps, or an "

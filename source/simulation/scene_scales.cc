@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/scene/largest_wall_speed.h>
+#include <seiche/scene/sample_times.h>
 #include <seiche/simulation/scene_scales.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <fmt/format.h>
 
@@ -15,9 +15,14 @@ namespace seiche
 
   namespace
   {
-    constexpr double hardly_meant = 20.;   // speed over sqrt(g H)
-    constexpr double mostly       = 0.7;   // of the body force
-    constexpr double hardly_moves = 1e-10; // cells in a step
+    constexpr double hardly_meant = 20.;               // speed over sqrt(g H)
+    constexpr double mostly       = 0.7;               // of the body force
+    constexpr double lies_down    = 0.5 * numbers::PI; // of a tank [rad]
+
+    // cells in a step, where round-off of volumes or of viscous stresses is
+    // all that is left (measured: Newton stalls below 1e-9 of the latter)
+    constexpr double hardly_moves = 1e-10, hardly_creeps = 2e-9,
+                     surely_creeps = 1e-6;
 
     /// Cells that sound may cross in a step: doc/methods.md, stability.
     constexpr double stiffest = 10.;
@@ -26,39 +31,58 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  SceneScales::SceneScales(const PointCloud<dim> &points,
-                           const BodyForce<dim>  &body_force,
-                           const double           half_spacing)
+  SceneScales::SceneScales(const Scene<dim>                    &scene,
+                           const std::vector<FluidBody<dim>>   &bodies,
+                           const std::vector<SampledBody<dim>> &samples,
+                           const BodyForce<dim>                &body_force,
+                           const double                         smallest_edge)
+    : walls(largest_wall_speed(scene.grid,
+                               body_force.tank,
+                               scene.input,
+                               scene.time.end_time))
+    , density(scene.fluid.density)
+    , viscosity(scene.fluid.dynamic_viscosity)
+    , modulus(scene.formulation.is_mixed() ? 0. : scene.fluid.bulk_modulus)
+    , step(scene.time.step)
+    , is_fixed(!scene.time.is_controlled())
+    , end_time(scene.time.end_time)
+    , smallest_cell(smallest_edge)
   {
-    const double lowest = std::numeric_limits<double>::lowest();
-    // top, minus bottom, minus the smallest edge, square of the speed
-    std::array<double, 4> largest = {{lowest, lowest, lowest, 0.}};
-    Point<dim>            centre;
-    for (std::size_t p = 0; p < points.size(); ++p)
+    double         bottom = std::numeric_limits<double>::max();
+    double         top    = std::numeric_limits<double>::lowest();
+    double         square = 0., n = 0.;
+    Tensor<1, dim> sum;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        const Point<dim> x = points.position(p);
-        centre += (x - Point<dim>()) / static_cast<double>(points.n_global());
-        largest[0]    = std::max(largest[0], x[dim - 1]);
-        largest[1]    = std::max(largest[1], -x[dim - 1]);
-        double square = 0.;
-        for (unsigned int d = 0; d < dim; ++d)
-          square += std::pow(points.data(PointColumn::velocity, d)[p], 2);
-        largest[3] = std::max(largest[3], square);
+        const SampledBody<dim> &body = samples[b];
+        if (body.places.empty())
+          continue;
+        mass += density * body.volume;
+        mass_is_exact  = mass_is_exact && body.is_whole;
+        depth_is_exact = depth_is_exact && body.ends_at_box;
+        bottom         = std::min(bottom, body.bottom);
+        top            = std::max(top, body.top);
+        for (const Point<dim> &x : body.places)
+          {
+            const Tensor<1, dim> force = body_force.value(x, /*t=*/0.);
+            square += body.resolution * force.norm_square();
+            sum += body.resolution * force;
+            n += body.resolution;
+            const Tensor<1, dim> v =
+              bodies[b].velocity->vector_value(x, /*t=*/0.);
+            speed = std::max(speed, v.norm());
+          }
       }
-    for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
-      for (unsigned int d = 0; d < dim; ++d)
-        largest[2] = std::max(largest[2], -points.locator.extent(cell)[d]);
-    for (double &value : largest)
-      value = Utilities::MPI::max(value, points.communicator);
-    for (unsigned int d = 0; d < dim; ++d)
-      centre[d] = Utilities::MPI::sum(centre[d], points.communicator);
-
-    const Tensor<1, dim> b = body_force.value(centre, /*t=*/0.);
-    depth                  = largest[0] + largest[1] + 2. * half_spacing;
-    gravity                = b.norm();
-    upwards                = b[dim - 1];
-    speed                  = std::sqrt(largest[3]);
-    smallest_cell          = -largest[2];
+    if (n > 0.)
+      {
+        depth   = top - bottom;
+        gravity = std::sqrt(square / n);
+        upwards = sum[dim - 1] / n;
+      }
+    if (body_force.tank.any())
+      for (const double t : sample_times(end_time))
+        for (const double angle : body_force.tank.at(t).angles)
+          turn = std::max(turn, std::abs(angle));
   }
 
   double
@@ -73,34 +97,64 @@ namespace seiche
     return std::max({wave_speed(), speed, walls});
   }
 
-  bool
-  SceneScales::step_is_round_off() const
-  {
-    const double way =
-      std::max({speed, walls, gravity * step}) * step / smallest_cell;
-    return way > 0. && way < hardly_moves;
-  }
-
-  double
-  SceneScales::ordinary_step() const
-  {
-    return 0.5 * smallest_cell / fastest();
-  }
-
   double
   SceneScales::expected_step() const
   {
-    return std::min(step, 2. * ordinary_step());
+    return std::min(step, smallest_cell / fastest());
+  }
+
+  double
+  SceneScales::creep_speed() const
+  {
+    return viscosity > 0. ? density * gravity * depth * depth / viscosity :
+                            std::numeric_limits<double>::infinity();
+  }
+
+  double
+  SceneScales::cells_in(const double time) const
+  {
+    return std::max({speed, walls, std::min(gravity * time, creep_speed())}) *
+           time / smallest_cell;
+  }
+
+  bool
+  SceneScales::step_is_round_off() const
+  {
+    const double way    = cells_in(step);
+    const bool   creeps = creep_speed() < gravity * step;
+    return way > 0. && way < (creeps ? hardly_creeps : hardly_moves);
+  }
+
+  std::string
+  SceneScales::entry_for_motion() const
+  {
+    const double most = cells_in(end_time);
+    if (most < surely_creeps && creep_speed() < gravity * end_time)
+      return fmt::format("Fluid/Dynamic viscosity = {:.1g}",
+                         viscosity * cells_in(step) / surely_creeps);
+    const double mover =
+      std::max({speed, walls, std::min(wave_speed(), creep_speed())});
+    return fmt::format("Time/Step = {:.1g}",
+                       std::min(0.5 * smallest_cell / mover, end_time));
   }
 
   std::string
   SceneScales::text() const
   {
-    std::string result = fmt::format("depth {:.3g} m, ", depth);
+    const int    digits  = depth_is_exact ? 3 : 2;
+    std::string  result =
+      fmt::format("{}{:.4g} kg of fluid, depth {}{:.{}g} m, ",
+                  mass_is_exact ? "" : "about ",
+                  mass,
+                  depth_is_exact ? "" : "about ",
+                  depth,
+                  digits);
     if (gravity > 0.)
-      result += fmt::format("sqrt(g H) {:.3g} m/s, rho g H {:.3g} Pa",
+      result += fmt::format("sqrt(g H) {:.{}g} m/s, rho g H {:.{}g} Pa",
                             wave_speed(),
-                            density * gravity * depth);
+                            digits,
+                            density * gravity * depth,
+                            digits);
     else
       result += "no body force at the start";
     if (speed > 0.)
@@ -124,7 +178,12 @@ namespace seiche
   SceneScales::doubts() const
   {
     std::vector<std::string> result;
-    if (upwards > mostly * gravity)
+    if (turn > lies_down)
+      result.push_back(fmt::format(
+        "the tank turns by {:.3g} degrees: angles of Tank motion/Rotation are "
+        "in radians (a table of degrees needs Factors = 1, 0.0174533)",
+        turn * 180. / numbers::PI));
+    else if (upwards > mostly * gravity)
       result.push_back("the body force points upwards: gravity is 0; -9.81 in "
                        "2D, 0; 0; -9.81 in 3D");
     if (gravity > 0. && speed > hardly_meant * wave_speed())
@@ -133,6 +192,12 @@ namespace seiche
         "entries in SI units?",
         speed,
         speed / wave_speed()));
+    if (step_is_round_off())
+      result.push_back(fmt::format(
+        "the fluid moves by {:.1g} cells in a step, which is round-off; what "
+        "may help: {}",
+        cells_in(step),
+        entry_for_motion()));
     if (const std::string doubt = doubt_of_sound(); !doubt.empty())
       result.push_back(doubt);
     return result;
@@ -157,10 +222,14 @@ namespace seiche
         fmt::format("Time/Step = {:.2g}", stiffest * smallest_cell / sound));
   }
 
-  template SceneScales::SceneScales(const PointCloud<2> &,
+  template SceneScales::SceneScales(const Scene<2> &,
+                                    const std::vector<FluidBody<2>> &,
+                                    const std::vector<SampledBody<2>> &,
                                     const BodyForce<2> &,
                                     const double);
-  template SceneScales::SceneScales(const PointCloud<3> &,
+  template SceneScales::SceneScales(const Scene<3> &,
+                                    const std::vector<FluidBody<3>> &,
+                                    const std::vector<SampledBody<3>> &,
                                     const BodyForce<3> &,
                                     const double);
 } // namespace seiche

@@ -75,7 +75,8 @@ namespace seiche
                   fill,
                   report,
                   timer)
-    , time_stepper(scene.time, step_advice(scene, scene_scales()))
+    , time_stepper(scene.time, step_advice(scene, planned.plan.scales))
+    , expected_step(planned.plan.scales.expected_step())
     , statistics(directory + "/" + result_names::statistics,
                  Utilities::MPI::this_mpi_process(communicator) == 0)
   {}
@@ -88,12 +89,14 @@ namespace seiche
   {
     begin();
     bool is_first_step = true;
-    while (!time_stepper.finished())
+    while (!finished())
       {
         const bool done = advance([&]() { return schedule.stop_is_wanted(); });
         if (done && is_first_step)
           on_first_rank(communicator, [&]() { earlier.remove_older(); });
         is_first_step = is_first_step && !done;
+        if (is_empty)
+          break;
         const CheckpointRequest request =
           done ? schedule.after_step(time_stepper.steps()) :
                  CheckpointRequest::write_and_stop;
@@ -117,7 +120,7 @@ namespace seiche
   Simulation<dim>::advance(const std::function<bool()> &stop_is_wanted)
   {
     const bool done = step(stop_is_wanted);
-    if (done)
+    if (done && !is_empty)
       postprocess();
     return done;
   }
@@ -127,8 +130,11 @@ namespace seiche
   Simulation<dim>::step(const std::function<bool()> &stop_is_wanted)
   {
     const TimerTree::Scope scope(timer, "step");
-    if (!material_is_found)
-      find_material();
+    if (!material_is_found && !find_material())
+      {
+        is_empty = true;
+        return true;
+      }
     state.time = time_stepper.time();
     effort     = {};
     double speed; // [1/s]
@@ -203,7 +209,7 @@ namespace seiche
   }
 
   template <int dim>
-  void
+  bool
   Simulation<dim>::find_material()
   {
     {
@@ -218,10 +224,7 @@ namespace seiche
         occupancy.reinit();
     }
     if (points.n_global() == 0)
-      throw NumericalError(
-        fmt::format("t = {:.6g} s: all fluid has left through open sides; set "
-                    "a smaller Time/End time",
-                    time_stepper.time()));
+      return false;
     {
       const TimerTree::Scope scope(timer, "occupancy and fill");
       occupancy.update(points);
@@ -248,6 +251,7 @@ namespace seiche
       std::max<std::uint64_t>(unknowns_max,
                               occupancy.n_global_nodes() *
                                 (dim + formulation->has_pressure()));
+    return true;
   }
 
   template <int dim>

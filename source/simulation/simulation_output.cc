@@ -3,7 +3,6 @@
 #include <seiche/postprocess/grid_output.h>
 #include <seiche/postprocess/nodal_pressure.h>
 #include <seiche/postprocess/point_output.h>
-#include <seiche/scene/largest_wall_speed.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/simulation/summary_file.h>
 #include <seiche/utilities/checked_file.h>
@@ -70,25 +69,6 @@ namespace seiche
   }
 
   template <int dim>
-  SceneScales
-  Simulation<dim>::scene_scales() const
-  {
-    SceneScales scales(points, body_force, seeding.half_spacing);
-    scales.density   = scene.fluid.density;
-    scales.viscosity = scene.fluid.dynamic_viscosity;
-    scales.step      = scene.time.step;
-    scales.is_fixed  = !scene.time.is_controlled();
-    // a tank of its own: postprocessors look at the last pose of the run's
-    scales.walls = largest_wall_speed(scene.grid,
-                                      scene.make_tank_motion(),
-                                      scene.input,
-                                      scene.time.end_time);
-    if (!scene.formulation.is_mixed())
-      scales.modulus = scene.fluid.bulk_modulus;
-    return scales;
-  }
-
-  template <int dim>
   StepView<dim>
   Simulation<dim>::step_view(const double dt) const
   {
@@ -116,7 +96,7 @@ namespace seiche
             effort.krylov,
             tank_motion.any() ? &tank_motion.at(time) : nullptr,
             balance,
-            time_stepper.steps() == 0 ? scene_scales().expected_step() : 0.};
+            time_stepper.steps() == 0 ? expected_step : 0.};
   }
 
   template <int dim>
@@ -208,6 +188,14 @@ namespace seiche
     summary["end_time"]           = time_stepper.time();
     summary["steps"]              = time_stepper.steps();
     summary["rejected_steps"]     = time_stepper.rejected();
+    if (is_empty)
+      {
+        summary["empty_since"] = time_stepper.time();
+        report.warn(fmt::format("no fluid is left: all of it has gone through "
+                                "open sides by t = {:.6g} s; the ledger is "
+                                "that of the last row of statistics.csv",
+                                time_stepper.time()));
+      }
     if (scene.time.controls_error())
       summary["time_error"] = time_stepper.error();
     if (scene.time.accepts_failing_steps())
@@ -224,10 +212,6 @@ namespace seiche
   Simulation<2>::description() const;
   template std::string
   Simulation<3>::description() const;
-  template SceneScales
-  Simulation<2>::scene_scales() const;
-  template SceneScales
-  Simulation<3>::scene_scales() const;
   template StepView<2>
   Simulation<2>::step_view(const double) const;
   template StepView<3>

@@ -35,7 +35,7 @@ namespace seiche
         start.reset();
         return;
       }
-    find_material();
+    (void)find_material(); // bodies hold points
     prepare_start();
     state.velocity_np1 = state.velocity_n; // what the first frame shows
     state.velocity_np1.update_ghost_values();

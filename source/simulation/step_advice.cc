@@ -15,8 +15,8 @@ namespace seiche
     if (scales.step_is_round_off())
       return fmt::format("Points hardly move in such a step, so that only "
                          "round-off is left. What may help in this scene: "
-                         "Time/Step = {:.1g}.",
-                         scales.ordinary_step());
+                         "{}.",
+                         scales.entry_for_motion());
     const FreeSurfaceParameters   &surface = scene.free_surface;
     const StabilizationParameters &vms     = scene.formulation.stabilization;
     const unsigned int enough_points       = dim == 2 ? 4 : 2; // a direction

@@ -51,7 +51,8 @@ namespace seiche
     for (const std::string &in_vain : input.without_effect())
       std::cerr << "warning: " << in_vain << '\n';
     std::cout << input.filename << " is valid: " << plan.size_text() << '\n'
-              << plan.cost_text() << picture << std::flush;
+              << plan.cost_text() << "  " << plan.scales.text() << '\n'
+              << picture << std::flush;
   }
 
   template void

@@ -74,19 +74,24 @@ namespace seiche
     std::vector<int>                     contents;
   };
 
-  struct SampledVolume
+  /// A body without what obstacles and earlier bodies take, seen by samples.
+  template <int dim>
+  struct SampledBody
   {
-    double volume;     ///< [m^dim]
-    double resolution; ///< of one sample: what is smaller may be missed
+    std::vector<dealii::Point<dim>> places; ///< samples in it [m]
+    double                          volume; ///< [m^dim]
+    double resolution;  ///< of one sample: what is smaller may be missed
+    bool   is_whole;    ///< the volume is that of its box, exactly
+    double bottom, top; ///< [m]
+    bool   ends_at_box; ///< both are those of its box, exactly
   };
 
-  /// Of a body without what obstacles and earlier bodies take, by some 10^5
-  /// samples in its own box: a small body in a large domain is seen. Local.
+  /// All bodies, by some 10^5 samples in their own boxes: a small body in a
+  /// large domain is seen. Local.
   template <int dim>
-  SampledVolume
-  sampled_volume(const GridParameters<dim>         &grid,
-                 const std::vector<FluidBody<dim>> &bodies,
-                 const unsigned int                 body);
+  std::vector<SampledBody<dim>>
+  sample_bodies(const GridParameters<dim>         &grid,
+                const std::vector<FluidBody<dim>> &bodies);
 } // namespace seiche
 
 #endif

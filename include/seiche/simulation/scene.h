@@ -88,6 +88,11 @@ namespace seiche
     CheckpointParameters                  checkpoint;
     PostprocessorList<dim>                postprocessors;
     bool                                  test_log = false;
+
+  private:
+    /// Of choices that need others, which are fine.
+    void
+    check_choices(const InputFile &input);
   };
 } // namespace seiche
 

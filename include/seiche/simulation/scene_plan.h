@@ -6,6 +6,7 @@
 #include <seiche/scene/smallest_cell.h>
 #include <seiche/simulation/cost_model.h>
 #include <seiche/simulation/scene.h>
+#include <seiche/simulation/scene_scales.h>
 
 #include <string>
 #include <vector>
@@ -41,11 +42,13 @@ namespace seiche
     std::string
     cost_text() const;
 
-    /// What is hardly meant or will not go well: months of time, a full disk.
+    /// What is hardly meant or will not go well: that of the scales, months of
+    /// time, a full disk.
     /// @p directory: of the results; it need not exist.
     std::vector<std::string>
     doubts(const std::string &directory) const;
 
+    SceneScales  scales; ///< at the start
     MeshEstimate mesh;
     double       points  = 0.;
     double       steps   = 0.;
@@ -57,15 +60,14 @@ namespace seiche
 
   private:
     void
-    count_points(const Scene<dim>                  &scene,
-                 const std::vector<FluidBody<dim>> &bodies,
-                 const SceneMap<dim>               &map);
+    count_points(const Scene<dim>                    &scene,
+                 const std::vector<FluidBody<dim>>   &bodies,
+                 const std::vector<SampledBody<dim>> &samples,
+                 const SceneMap<dim>                 &map);
     void
-    count_steps(const Scene<dim>                  &scene,
-                const std::vector<FluidBody<dim>> &bodies,
-                const SceneMap<dim>               &map,
-                const BodyForce<dim>              &force,
-                const TankMotion<dim>             &tank);
+    count_steps(const Scene<dim>     &scene,
+                const SceneMap<dim>  &map,
+                const BodyForce<dim> &force);
     void
     count_seconds(const Scene<dim>     &scene,
                   const SceneMap<dim>  &map,

@@ -2,8 +2,8 @@
 #ifndef seiche_simulation_scene_scales_h
 #define seiche_simulation_scene_scales_h
 
-#include <seiche/points/point_cloud.h>
-#include <seiche/scene/body_force.h>
+#include <seiche/scene/scene_map.h>
+#include <seiche/simulation/scene.h>
 
 #include <string>
 #include <vector>
@@ -11,46 +11,48 @@
 namespace seiche
 {
   /**
-   * @brief Scales of a scene at its start, by which slips of units show: depth
-   * H of the fluid, gravity g, sqrt(g H), rho g H, Froude and Reynolds numbers,
-   * cells that a step crosses.
+   * @brief Scales of a scene at its start, by which slips of units show: mass
+   * and depth H of the fluid, gravity g, sqrt(g H), rho g H, Froude and
+   * Reynolds numbers, cells that a step crosses.
    */
   class SceneScales
   {
   public:
-    /// Depth, body force and speeds of the points. @p half_spacing: of the
-    /// points [m]. Collective.
-    template <int dim>
-    SceneScales(const PointCloud<dim> &points,
-                const BodyForce<dim>  &body_force,
-                const double           half_spacing);
+    /// Of nothing.
+    SceneScales() = default;
 
-    double density   = 0.;   ///< [kg/m^3]
-    double viscosity = 0.;   ///< [Pa s]
-    double modulus   = 0.;   ///< kappa of the irreducible form, else 0 [Pa]
-    double step      = 0.;   ///< [s]
-    bool   is_fixed  = true; ///< or the largest step
-    double walls     = 0.;   ///< largest_wall_speed() [m/s]
+    /// InputError where the body force or a velocity is no number in the
+    /// fluid. @p smallest_edge: of the cells [m]. Local.
+    template <int dim>
+    SceneScales(const Scene<dim>                    &scene,
+                const std::vector<FluidBody<dim>>   &bodies,
+                const std::vector<SampledBody<dim>> &samples,
+                const BodyForce<dim>                &body_force,
+                const double                         smallest_edge);
+
+    double speed = 0.; ///< of the fastest point [m/s]
+    double walls = 0.; ///< largest_wall_speed() [m/s]
 
     /// One line. Local.
     std::string
     text() const;
 
-    /// What is hardly meant: gravity upwards, speeds above 20 sqrt(g H), sound
-    /// that crosses more than 10 cells in a step of the irreducible form.
-    /// Local.
+    /// What is hardly meant: gravity upwards, angles of the tank in degrees,
+    /// speeds above 20 sqrt(g H), steps in which nothing moves, sound that
+    /// crosses more than 10 cells in a step of the irreducible form. Local.
     std::vector<std::string>
     doubts() const;
 
-    /// True if a point moves by no more in a step than what is lost in the
-    /// round-off of a volume. Local.
+    /// True if the fluid moves so little in a step that round-off is all that
+    /// is left: of the volumes, or of the strains of a very viscous fluid.
+    /// Local.
     bool
     step_is_round_off() const;
 
-    /// A step in which the fastest point or wave crosses half a cell [s].
+    /// Where step_is_round_off(): the entry that ends it, "Time/Step = 3".
     /// Local.
-    double
-    ordinary_step() const;
+    std::string
+    entry_for_motion() const;
 
     /// The step asked for, or if it is smaller that in which the fastest point
     /// or wave crosses a cell [s]. Local.
@@ -65,16 +67,34 @@ namespace seiche
     double
     fastest() const;
 
+    /// rho g H^2 / mu, at which a viscous fluid creeps [m/s].
+    double
+    creep_speed() const;
+
+    /// Cells that the fluid goes in a step of this size [s], at most.
+    double
+    cells_in(const double time) const;
+
     /// Cells that sound crosses in a step, and what may help; empty if they
     /// are few.
     std::string
     doubt_of_sound() const;
 
-    double depth         = 0.; ///< H [m]
-    double gravity       = 0.; ///< g [m/s^2]
-    double upwards       = 0.; ///< vertical part of the body force [m/s^2]
-    double speed         = 0.; ///< of the fastest point [m/s]
-    double smallest_cell = 0.; ///< edge [m]
+    double density       = 0.;   ///< [kg/m^3]
+    double viscosity     = 0.;   ///< [Pa s]
+    double modulus       = 0.;   ///< kappa of the irreducible form, else 0 [Pa]
+    double step          = 0.;   ///< [s]
+    bool   is_fixed      = true; ///< or the largest step
+    double end_time      = 0.;   ///< [s]
+    double smallest_cell = 0.;   ///< edge [m]
+
+    double mass           = 0.; ///< [kg]
+    bool   mass_is_exact  = true;
+    double depth          = 0.; ///< H [m]
+    bool   depth_is_exact = true;
+    double gravity        = 0.; ///< g, root mean square over the fluid [m/s^2]
+    double upwards        = 0.; ///< mean vertical part of the force [m/s^2]
+    double turn           = 0.; ///< largest angle of the tank [rad]
   };
 } // namespace seiche
 

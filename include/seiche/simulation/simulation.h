@@ -11,7 +11,6 @@
 #include <seiche/simulation/earlier_results.h>
 #include <seiche/simulation/planned_scene.h>
 #include <seiche/simulation/run_report.h>
-#include <seiche/simulation/scene_scales.h>
 #include <seiche/simulation/step_solver.h>
 #include <seiche/utilities/timer_tree.h>
 
@@ -59,10 +58,6 @@ namespace seiche
     std::string
     description() const;
 
-    /// Of the points where they are. Collective.
-    SceneScales
-    scene_scales() const;
-
     /// From the start to the end time, then the summary; or to a checkpoint
     /// after which this object is not to go on. The first good step makes the
     /// last but one results of the folder superfluous. Collective.
@@ -95,7 +90,7 @@ namespace seiche
     bool
     finished() const
     {
-      return time_stepper.finished();
+      return is_empty || time_stepper.finished();
     }
     const StatisticsTable &
     statistics_table() const
@@ -113,8 +108,9 @@ namespace seiche
     bool
     step(const std::function<bool()> &stop_is_wanted);
 
-    /// Occupied cells, fill, nodal fields of the points where they are.
-    void
+    /// Occupied cells, fill, nodal fields of the points where they are. False
+    /// if no fluid is left. Collective.
+    bool
     find_material();
 
     /// One attempt at the step with state.dt; empty, or why it failed.
@@ -215,6 +211,7 @@ namespace seiche
     GridState<dim>                          state;
     StepSolver<dim>                         step_solver;
     TimeStepper                             time_stepper;
+    const double                            expected_step; ///< of SceneScales [s]
     AcceptedFailures                        accepted_failures;
     StatisticsTable                         statistics;
 
@@ -222,6 +219,7 @@ namespace seiche
 
     bool material_is_found     = false; ///< where the points are now
     bool points_are_controlled = false; ///< PointControl has seen to them
+    bool is_empty              = false; ///< all fluid has left
 
     /// Iterations of a step, all tries.
     struct Effort
