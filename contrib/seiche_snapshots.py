@@ -39,6 +39,14 @@ def nearest(frames, times):
     return [min(frames, key=lambda frame: abs(frame[0] - time)) for time in times]
 
 
+def far_off(frames, times):
+    """A text for each time [s] without a frame within half an interval of frames."""
+    interval = numpy.median(numpy.diff([time for time, _ in frames])) if len(frames) > 1 else 0.0
+    return ["no frame near t = %g s: the nearest one, of %g s, is drawn" % (time, frame[0])
+            for time, frame in zip(times, nearest(frames, times))
+            if abs(frame[0] - time) > 0.5001 * interval]
+
+
 def arrangement(number, ratio):
     """Columns of panels, height over width, that make these the widest on a page that
     they fill, and that width [inches]."""

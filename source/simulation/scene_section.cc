@@ -2,6 +2,7 @@
 #include <seiche/scene/background_grid.h>
 #include <seiche/scene/wall_condition_table.h>
 #include <seiche/simulation/scene_section.h>
+#include <seiche/utilities/svg_labels.h>
 
 #include <fmt/format.h>
 
@@ -89,6 +90,7 @@ namespace seiche
         , upper_left(view.upper_left)
         , scale(view.scale)
         , canvas(svg_canvas)
+        , labels(svg_canvas)
       {}
 
       void
@@ -96,10 +98,10 @@ namespace seiche
       {
         draw_fluid();
         draw_grid();
+        draw_walls();
+        draw_axes(); // its texts are always there
         draw_obstacles();
         draw_refined_boxes();
-        draw_walls();
-        draw_axes();
         draw_places();
       }
 
@@ -218,9 +220,12 @@ namespace seiche
         const Place from = place(box.lower_bound(across), box.upper_bound(up)),
                     to   = place(box.upper_bound(across), box.lower_bound(up));
         canvas.rectangle(from, to, style);
-        canvas.text({{0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]) + 4.}},
-                    name,
-                    "middle");
+        const double centre = 0.5 * (from[0] + to[0]);
+        labels.write_where_free({{{{centre, 0.5 * (from[1] + to[1]) + 4.}},
+                                  "middle"},
+                                 {{{centre, from[1] - 4.}}, "middle"},
+                                 {{{centre, to[1] + 12.}}, "middle"}},
+                                name);
       }
 
       void
@@ -282,11 +287,11 @@ namespace seiche
                 const Place end = is_across ? Place{{begin[0], begin[1] + 6.}} :
                                               Place{{begin[0] - 6., begin[1]}};
                 canvas.line(begin, end, tick_style);
-                canvas.text(is_across ? Place{{end[0], end[1] + 13.}} :
-                                        Place{{end[0] - 4., end[1] + 4.}},
-                            fmt::format("{:.4g}",
-                                        std::abs(x) < 1e-9 * step ? 0. : x),
-                            is_across ? "middle" : "end");
+                labels.write(
+                  is_across ?
+                    SvgLabels::At{{{end[0], end[1] + 13.}}, "middle"} :
+                    SvgLabels::At{{{end[0] - 4., end[1] + 4.}}, "end"},
+                  fmt::format("{:.4g}", std::abs(x) < 1e-9 * step ? 0. : x));
               }
             const std::string name = fmt::format("{} [m]", "xyz"[d]);
             if (is_across)
@@ -305,22 +310,17 @@ namespace seiche
       void
       draw_places()
       {
-        std::vector<Place> named;
         for (const auto &measured : scene.postprocessors.places())
           {
             const Place centre = place(measured.place);
             canvas.circle(centre, 4., place_style);
-            // of places close to each other only the first has room for a name
-            if (std::none_of(named.begin(),
-                             named.end(),
-                             [&](const Place &other) {
-                               return std::abs(other[0] - centre[0]) < 30. &&
-                                      std::abs(other[1] - centre[1]) < 12.;
-                             }))
-              {
-                canvas.text({{centre[0] + 6., centre[1] - 5.}}, measured.name);
-                named.push_back(centre);
-              }
+            std::vector<SvgLabels::At> around;
+            for (const double down : {-5., 14.})
+              for (const char *anchor : {"start", "end"})
+                around.push_back({{{centre[0] + (anchor[0] == 's' ? 6. : -6.),
+                                    centre[1] + down}},
+                                  anchor});
+            labels.write_where_free(around, measured.name);
           }
       }
 
@@ -332,6 +332,7 @@ namespace seiche
       const Place                        upper_left;
       const double                       scale;
       SvgCanvas                         &canvas;
+      SvgLabels                          labels;
     };
   } // namespace
 

@@ -256,6 +256,9 @@ VALUES = [
 ]
 
 GEOMETRY = [
+    Case("mistakes of two sections at once", text=SCENE.replace("1.0, 0.5", "-1, 0.5")
+         .replace("End time = 0.02", "End time = 1e300"), line=4,
+         expect=['"Upper corner" in "Grid"', "scene.prm:19: ", '"End time" in "Time"']),
     Case("corners in the wrong order", "Upper corner = 1.0, 0.5",
          "Upper corner = -1.0, 0.5", expect=['"Upper corner" in "Grid"']),
     Case("three numbers in 2D", "Upper corner = 1.0, 0.5",
@@ -868,7 +871,9 @@ def check_shipped(program):
             result = subprocess.run([program, str(file), "--validate",
                                      "--output", folder + "/scene"],
                                     capture_output=True, text=True, timeout=120)
-        if result.returncode != 0 or result.stderr:
+        # scenes of alarms are to be warned of
+        warned = result.stderr and file.parent.name != "alarms"
+        if result.returncode != 0 or warned:
             failures += 1
             print(f"FAILED: {file.relative_to(root)}\n    {result.stderr.strip()}")
     print(f"{len(files)} files, {failures} failed")

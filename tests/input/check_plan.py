@@ -4,8 +4,9 @@
 
 sizes: runs shipped scenes for a while; cells, points, steps, memory, files and
 processor time must be those of the plan within a factor of two. steps: of walls
-and tanks that move. dearer: what viscosity and formulas add. limits: grids and clouds of 10^8, too many steps,
-full disks, years. bodies: small ones. picture: the SVG.
+and tanks that move. dearer: what viscosity and formulas add. limits: grids and
+clouds of 10^8, too many steps, full disks, years. bodies: small ones. doubts: scales
+and warnings, as those of the run. picture: the SVG.
 """
 
 import argparse
@@ -247,8 +248,24 @@ def drop_in_a_box(upper, size, shape, obstacles):
     return text
 
 
+def check_films(program, problems):
+    """A film thinner than the spacing of the points holds a layer of them."""
+    for thickness in ("0.002", "0.02", "0.0429"):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+            scene = folder / "scene.prm"
+            scene.write_text(dam(body=f"1, {thickness}", end="1e-3", step="1e-3"))
+            foretold = plan_of(run(program, scene, [], folder, "--validate")[1])["points"]
+            run(program, scene, [], folder)
+            points = json.loads((folder / "run/summary.json").read_text())["points"]
+            print(f"film of {thickness} m: {foretold:g} points foretold, {points} taken")
+            if not 0.7 < foretold / points < 1.4:
+                problems.append(f"film: {foretold} points foretold, {points} taken")
+
+
 def check_bodies(program, problems):
     """Small bodies are valid, and the plan knows the points of those with a box."""
+    check_films(program, problems)
     for dim, upper, size, centre, radius, obstacles in SMALL_BODIES:
         ball = "+".join(f"({x}-{c})^2" for x, c in zip("xyz", centre.split(", ")))
         for shape in (f"set Shape = ball\nset Centre = {centre}\nset Radius = {radius}",
@@ -275,7 +292,105 @@ def check_bodies(program, problems):
                     problems.append(f"{what}: {foretold} points foretold, {points} taken")
 
 
+def dam(upper="1, 0.5", cell="0.05", body="1, 0.2", end="0.01", step="0.01",
+        force="0; -9.81", more=""):
+    """A scene in 2D of one body."""
+    return f"""set Dimension = 2
+subsection Grid
+  set Lower corner = 0, 0
+  set Upper corner = {upper}
+  set Cell size = {cell}
+end
+subsection Fluid
+  set Density = 1000
+  set Dynamic viscosity = 0.001
+  set Bulk modulus = infinite
+end
+subsection Body force
+  set Acceleration = {force}
+end
+subsection Fluid body water
+  set Lower corner = 0, 0
+  set Upper corner = {body}
+{more}end
+subsection Time
+  set End time = {end}
+  set Step = {step}
+end
+"""
+
+
+def roll(angle):
+    return f"end\nsubsection Tank motion\n  set Rotation = {angle}\n"
+
+
+DOUBTFUL = [  # what is said, what is not, the scene
+    (["430 kg of fluid, depth 0.43 m"], ["warning"], dam(body="1, 0.43", cell="0.02")),
+    (["about 0.5 m, sqrt(g H) 2.2 m/s"], ["warning"],
+     dam(upper="1, 1", more="  set Shape = expression\n"
+         "  set Expression = y - 0.5 + 0.001*cos(3*x)\n").replace(
+             "  set Lower corner = 0, 0\n  set Upper corner = 1, 0.2\n", "")),
+    (["warning: the body force points upwards"], [], dam(force="0; 9.81")),
+    (["fastest 500 m/s", "warning: the fluid starts with 500 m/s"], [],
+     dam(more="  set Velocity = 500; 0\n", step="1e-6", end="1e-6")),
+    (["warning: the tank turns by 229 degrees", "radians"], ["upwards"],
+     dam(more=roll("4*sin(2*pi*t/1.63)"), end="2")),
+    (["warning: the tank turns by 180 degrees"], ["upwards"], dam(more=roll("pi"))),
+    (["in steps of 0.01 s"], ["warning"], dam(more=roll("0.07*sin(2*pi*t/1.63)"), end="2")),
+    (["warning: the fluid moves by 8e-13 cells in a step", "Fluid/Dynamic viscosity = 8e+08"],
+     [], dam().replace("viscosity = 0.001", "viscosity = 1e14")),
+]
+
+
+def check_doubts(program, problems):
+    """Scales and warnings are those of the run; forces that are no numbers."""
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        scene = folder / "scene.prm"
+        for texts, absent, text in DOUBTFUL:
+            scene.write_text(text)
+            code, out, err, _ = run(program, scene, [], folder, "--validate")
+            problems += [f"lacks {t!r}: {out}{err}" for t in texts if t not in out + err]
+            problems += [f"has {t!r}: {out}{err}" for t in absent if t in out + err]
+            if code:
+                problems.append(f"{texts}: exit code {code}: {err}")
+                continue
+            said = subprocess.run([program, "scene.prm", "--output", "run"], cwd=folder,
+                                  text=True, capture_output=True, check=False).stdout
+            for line in (out + err).splitlines():
+                if ("depth" in line or "warning" in line) and line.strip() not in said:
+                    problems.append(f"the run does not say {line!r}: {said}")
+        expect(problems, program, folder, [], 2, "component 2 is not finite",
+               '"Acceleration" in "Body force"', body=dam(force="0; -9.81*sqrt(0.9-x)"))
+        expect(problems, program, folder, [], 0, "is valid",
+               body=dam(force="0; -9.81*sqrt(0.9-x)", body="0.8, 0.2"))
+
+
+def texts_that_cover(file):
+    """Pairs of texts of a picture, of which one covers the other."""
+    space = "{http://www.w3.org/2000/svg}"
+    boxes = []
+    for element in xml.etree.ElementTree.parse(file).getroot().iter(space + "text"):
+        width = 6.5 * len(element.text)
+        left = float(element.get("x")) - width * {"start": 0, "middle": .5, "end": 1}[
+            element.get("text-anchor", "start")]
+        boxes.append((left, left + width, float(element.get("y")), element.text))
+    return [(a[3], b[3]) for i, a in enumerate(boxes) for b in boxes[:i]
+            if a[0] < b[1] - 1 and b[0] < a[1] - 1 and abs(a[2] - b[2]) < 12]
+
+
 def check_picture(program, problems):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        (folder / "many.prm").write_text(dam(more="end\n" + "".join(
+            f"subsection Probe sensor {i}\n  set Position = {0.3 + 0.02 * i:g}, 0.01\nend\n"
+            f"subsection Gauge long {i}\n  set Position = {0.3 + 0.02 * i:g}, 0\nend\n"
+            f"subsection Obstacle post {i}\n  set Lower corner = {0.5 + 0.1 * i:g}, 0.2\n"
+            f"  set Upper corner = {0.55 + 0.1 * i:g}, 0.25\nend\n"
+            for i in range(4))[:-4]))
+        code, out, err, _ = run(program, folder / "many.prm", [], folder, "--validate")
+        problems += [f"small things: {code} {out}{err}"] if code else [
+            f"texts cover each other: {pair}" for pair in texts_that_cover(folder / "run.svg")]
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         for name, texts in (
@@ -323,9 +438,9 @@ def check_picture(program, problems):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=pathlib.Path)
-    checks = {"sizes": check_sizes, "steps": check_steps,
-              "dearer": check_dearer, "limits": check_limits,
-              "bodies": check_bodies, "picture": check_picture}
+    checks = {"sizes": check_sizes, "steps": check_steps, "dearer": check_dearer,
+              "limits": check_limits, "bodies": check_bodies, "doubts": check_doubts,
+              "picture": check_picture}
     parser.add_argument("group", choices=checks)
     options = parser.parse_args()
     problems = []

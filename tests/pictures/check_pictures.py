@@ -165,7 +165,11 @@ def flat(seiche, folder):
     text = call("plot_run", folder, "-o", f"{folder}/film.avi", "--film", code=1)
     assert "a film is a .mp4 or a .gif" in text, text
     shutil.rmtree(f"{folder}/pictures")
-    assert "view_0.500.png" in call("pictures", folder, "--times", "0.5")
+    made = call("pictures", folder, "--times", "0.5")
+    assert "view_0.500.png" in made and "no frame" not in made, made
+    for script in ("pictures", "plot_run"):
+        made = call(script, folder, "--times", "0.5,7")
+        assert "no frame near t = 7 s: the nearest one, of 0.5 s" in made, made
 
 
 def space(seiche, folder):

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A run that has to end with an exit code: check_failure.py EXIT_CODE MESSAGE[|MESSAGE...]
 COMMAND... --output FOLDER; the messages stand in this order in what it prints or in its run.log, one
-that begins with ! nowhere; one that begins with + is a file of FOLDER."""
+that begins with ! nowhere; one that begins with + is a file of FOLDER; one that begins with $ stands
+in the last line that is printed."""
 import pathlib
 import subprocess
 import sys
@@ -21,6 +22,10 @@ for message in messages.split("|"):
     if message.startswith("!"):
         if message[1:] in output:
             sys.exit(f"message \"{message[1:]}\"")
+        continue
+    if message.startswith("$"):
+        if message[1:] not in result.stdout.splitlines()[-1]:
+            sys.exit(f"no \"{message[1:]}\" in the last line")
         continue
     if message.startswith("+"):
         if not pathlib.Path(command[-1], message[1:]).exists():
