@@ -258,7 +258,7 @@ VALUES = [
 GEOMETRY = [
     Case("mistakes of two sections at once", text=SCENE.replace("1.0, 0.5", "-1, 0.5")
          .replace("End time = 0.02", "End time = 1e300"), line=4,
-         expect=['"Upper corner" in "Grid"', "scene.prm:19: ", '"End time" in "Time"']),
+         expect=['"Upper corner" in "Grid"', "scene.prm:20: ", '"End time" in "Time"']),
     Case("corners in the wrong order", "Upper corner = 1.0, 0.5",
          "Upper corner = -1.0, 0.5", expect=['"Upper corner" in "Grid"']),
     Case("three numbers in 2D", "Upper corner = 1.0, 0.5",

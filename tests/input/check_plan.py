@@ -337,7 +337,7 @@ DOUBTFUL = [  # what is said, what is not, the scene
      dam(more=roll("4*sin(2*pi*t/1.63)"), end="2")),
     (["warning: the tank turns by 180 degrees"], ["upwards"], dam(more=roll("pi"))),
     (["in steps of 0.01 s"], ["warning"], dam(more=roll("0.07*sin(2*pi*t/1.63)"), end="2")),
-    (["warning: the fluid moves by 8e-13 cells in a step", "Fluid/Dynamic viscosity = 8e+08"],
+    (["warning: the fluid moves by 8e-13 cells in a step", "Fluid/Dynamic viscosity = 8e+07"],
      [], dam().replace("viscosity = 0.001", "viscosity = 1e14")),
 ]
 

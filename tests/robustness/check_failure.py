@@ -3,7 +3,7 @@
 """A run that has to end with an exit code: check_failure.py EXIT_CODE MESSAGE[|MESSAGE...]
 COMMAND... --output FOLDER; the messages stand in this order in what it prints or in its run.log, one
 that begins with ! nowhere; one that begins with + is a file of FOLDER; one that begins with $ stands
-in the last line that is printed."""
+in the last line of all."""
 import pathlib
 import subprocess
 import sys
@@ -24,7 +24,7 @@ for message in messages.split("|"):
             sys.exit(f"message \"{message[1:]}\"")
         continue
     if message.startswith("$"):
-        if message[1:] not in result.stdout.splitlines()[-1]:
+        if message[1:] not in output.splitlines()[-1]:
             sys.exit(f"no \"{message[1:]}\" in the last line")
         continue
     if message.startswith("+"):
