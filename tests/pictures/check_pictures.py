@@ -50,11 +50,11 @@ def simulate(seiche, folder, scene, end, interval, *settings, ranks=1):
     return Run(folder)
 
 
-def call(script, *arguments, code=0, **options):
+def call(script, *arguments, code=0, warned=False, **options):
     done = subprocess.run([sys.executable, str(CONTRIB / script), *arguments], text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=100, **options)
     assert done.returncode == code, f"exit code {done.returncode}:\n{done.stdout}"
-    assert "warning" not in done.stdout, done.stdout
+    assert warned or "warning" not in done.stdout, done.stdout
     return done.stdout
 
 
@@ -168,7 +168,7 @@ def flat(seiche, folder):
     made = call("pictures", folder, "--times", "0.5")
     assert "view_0.500.png" in made and "no frame" not in made, made
     for script in ("pictures", "plot_run"):
-        made = call(script, folder, "--times", "0.5,7")
+        made = call(script, folder, "--times", "0.5,7", warned=True)
         assert "no frame near t = 7 s: the nearest one, of 0.5 s" in made, made
 
 
