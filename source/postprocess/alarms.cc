@@ -159,7 +159,8 @@ namespace seiche
       {excess_seen(view) / volume,
        is_incompressible && !is_full ? ledger.volume_change() : 0.,
        view.fill.overfull_fraction(),
-       is_incompressible && is_full ? air_in_closed_chambers(view) / volume : 0.,
+       is_incompressible && is_full ? air_in_closed_chambers(view) / volume :
+                                      0.,
        tiny_steps}};
     new_alarms.clear();
     for (unsigned int i = 0; i < n_quantities; ++i)

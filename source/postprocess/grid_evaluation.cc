@@ -132,6 +132,13 @@ namespace seiche
   }
 
   template <int dim>
+  bool
+  GridEvaluation<dim>::is_wet() const
+  {
+    return !view.fill.has_surface() || view.fill.inside_share(cell) > 0.;
+  }
+
+  template <int dim>
   double
   GridEvaluation<dim>::value(const Vector &field) const
   {

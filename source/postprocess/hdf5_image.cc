@@ -32,6 +32,8 @@ namespace seiche
   Hdf5Image::~Hdf5Image()
   {
     H5Fclose(file);
+    // HDF5 keeps freed buffers by size, and those of a checkpoint grow
+    H5garbage_collect();
   }
 
   std::int64_t

@@ -257,8 +257,11 @@ namespace seiche
               continue;
             if (!scalar)
               sum += here.vector_value(view.state.velocity_np1);
-            else if (here.is_inside()) // at the surface and beyond it is zero
-              sum[0] += here.value(p);
+            // the surface is known to a third of a cell: what is continued
+            // beyond it may push, in a jet at a wall, but not pull
+            else if (here.is_wet())
+              sum[0] +=
+                here.is_inside() ? here.value(p) : std::max(0., here.value(p));
           }
         for (unsigned int c = 0; c < (scalar ? 1 : dim); ++c)
           result.push_back(sum[c] / places[k].size());

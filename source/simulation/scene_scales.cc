@@ -17,7 +17,7 @@ namespace seiche
   {
     constexpr double hardly_meant = 20.;               // speed over sqrt(g H)
     constexpr double mostly       = 0.7;               // of the body force
-    constexpr double lies_down    = 0.5 * numbers::PI; // of a tank [rad]
+    constexpr double hardly_turns = 0.6 * numbers::PI; // of a tank [rad]
 
     // cells in a step, where round-off of volumes or of viscous stresses is
     // all that is left (measured: Newton stalls below 1e-9 of the latter)
@@ -141,8 +141,8 @@ namespace seiche
   std::string
   SceneScales::text() const
   {
-    const int    digits  = depth_is_exact ? 3 : 2;
-    std::string  result =
+    const int   digits = depth_is_exact ? 3 : 2;
+    std::string result =
       fmt::format("{}{:.4g} kg of fluid, depth {}{:.{}g} m, ",
                   mass_is_exact ? "" : "about ",
                   mass,
@@ -178,7 +178,7 @@ namespace seiche
   SceneScales::doubts() const
   {
     std::vector<std::string> result;
-    if (turn > lies_down)
+    if (turn > hardly_turns)
       result.push_back(fmt::format(
         "the tank turns by {:.3g} degrees: angles of Tank motion/Rotation are "
         "in radians (a table of degrees needs Factors = 1, 0.0174533)",

@@ -54,6 +54,10 @@ namespace seiche
     bool
     is_inside() const;
 
+    /// False if the surface encloses nothing of the cell: air and spray.
+    bool
+    is_wet() const;
+
     /// Value of a scalar field.
     double
     value(const Vector &field) const;

@@ -211,9 +211,9 @@ namespace seiche
     GridState<dim>                          state;
     StepSolver<dim>                         step_solver;
     TimeStepper                             time_stepper;
-    const double                            expected_step; ///< of SceneScales [s]
-    AcceptedFailures                        accepted_failures;
-    StatisticsTable                         statistics;
+    const double     expected_step; ///< of SceneScales [s]
+    AcceptedFailures accepted_failures;
+    StatisticsTable  statistics;
 
     StepBalance<dim> balance; ///< of the last step, if the tank moves
 
