@@ -103,7 +103,7 @@ namespace seiche
     const auto &nodes = *occupancy.scalar_partitioner();
     std::vector<types::global_dof_index> first(chambers.size(), nodes.size());
     for (unsigned int node = of_node.size(); node-- > 0;)
-      if (of_node[node] != none)
+      if (of_node[node] != none && occupancy.node_volume(node) > 0.)
         first[of_node[node]] = nodes.local_to_global(node);
     Utilities::MPI::min(first, nodes.get_mpi_communicator(), first);
     first.erase(std::remove(first.begin(), first.end(), nodes.size()),

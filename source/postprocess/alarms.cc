@@ -22,7 +22,7 @@ namespace seiche
 
     /// Of the expected step. That of a step whose size follows its error is
     /// larger, and so is one that halves for want of convergence now and then.
-    constexpr double tiny = 1e-3;
+    constexpr double tiny = 2e-3; // the default least step is Step/1024
 
     /// Steps over which their share is taken, roughly.
     constexpr double memory = 100.;
@@ -53,7 +53,7 @@ namespace seiche
        "smaller cells, or a level at least half a cell below the lid"},
       {"tiny steps",
        0.5,
-       "most steps are a thousand times smaller than Time/Step and than what "
+       "most steps are 500 times smaller than Time/Step and than what "
        "the fluid needs to cross a cell",
        "what the warnings above advise, or a look at the fastest points; a "
        "larger Time/Minimum step ends such a run",
@@ -96,6 +96,23 @@ namespace seiche
       return result;
     }
 
+    std::array<double, 2>
+    sum_of(const std::array<double, 2> &parts, const MPI_Comm communicator)
+    {
+      std::array<double, 2> sums;
+      Utilities::MPI::sum(ArrayView<const double>(parts.data(), 2),
+                          communicator,
+                          ArrayView<double>(sums.data(), 2));
+      return sums;
+    }
+
+    double
+    ratio(const std::array<double, 2> &parts, const MPI_Comm communicator)
+    {
+      const auto [part, whole] = sum_of(parts, communicator);
+      return whole > 0. ? part / whole : 0.;
+    }
+
     /// Water that the weak forms see less that of the points [m^dim]. Gaps at
     /// walls that fluid is leaving are no error: the level set shows them only
     /// from a third of a cell on, but the walls hold nothing there.
@@ -105,27 +122,57 @@ namespace seiche
     {
       if (!view.fill.has_surface())
         return 0.;
-      const auto leaving    = find_leaving(view.occupancy);
-      double     difference = 0.;
+      const auto            leaving = find_leaving(view.occupancy);
+      std::array<double, 2> parts{}; // excess, gaps
       for (const unsigned int cell : view.occupancy.occupied_cells())
-        difference += (view.fill.inside_share(cell) +
+        {
+          const double measure = view.occupancy.locator.measure(cell);
+          parts[0] += (view.fill.inside_share(cell) +
                        view.fill.loose_volume(cell, view.points) -
-                       view.fill.cell_fill(cell) - gap(view, cell, leaving)) *
-                      view.occupancy.locator.measure(cell);
-      return Utilities::MPI::sum(difference, view.points.communicator);
+                       view.fill.cell_fill(cell)) *
+                      measure;
+          parts[1] += gap(view, cell, leaving) * measure;
+        }
+      const auto [excess, gaps] = sum_of(parts, view.points.communicator);
+      return excess - std::min(gaps, std::max(0., excess));
     }
 
-    /// What points leave free in closed chambers [m^dim].
+    /// What points leave free in closed chambers, over their volume.
     template <int dim>
     double
     air_in_closed_chambers(const StepView<dim> &view)
     {
-      const auto &locator = view.occupancy.locator;
-      double      volume  = 0.;
+      const auto           &locator = view.occupancy.locator;
+      std::array<double, 2> air_and_volume{};
       for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
         if (view.fill.closed_chambers().holds_cell(cell))
-          volume += (1. - view.fill.cell_fill(cell)) * locator.measure(cell);
-      return Utilities::MPI::sum(volume, view.points.communicator);
+          {
+            const double volume = locator.measure(cell);
+            air_and_volume[0] += (1. - view.fill.cell_fill(cell)) * volume;
+            air_and_volume[1] += volume;
+          }
+      return ratio(air_and_volume, view.points.communicator);
+    }
+
+    /// Relative change of the volume of the points outside closed chambers: in
+    /// these points in corners change theirs without end, and without harm.
+    template <int dim>
+    double
+    volume_change(const StepView<dim> &view)
+    {
+      const double *initial = view.points.data(PointColumn::initial_volume);
+      const double *J       = view.points.data(PointColumn::volume_ratio);
+      std::array<double, 2> change_and_volume{};
+      for (const unsigned int cell : view.occupancy.occupied_cells())
+        if (!view.fill.closed_chambers().holds_cell(cell))
+          for (std::size_t p = view.points.first_point(cell);
+               p < view.points.first_point(cell + 1);
+               ++p)
+            {
+              change_and_volume[0] += (J[p] - 1.) * initial[p];
+              change_and_volume[1] += initial[p];
+            }
+      return ratio(change_and_volume, view.points.communicator);
     }
   } // namespace
 
@@ -153,14 +200,11 @@ namespace seiche
     watch_step(view);
     const bool is_incompressible =
       view.bulk_modulus == std::numeric_limits<double>::infinity();
-    const bool   is_full = view.fill.closed_chambers().any();
-    const double volume  = ledger.first_volume();
     const std::array<double, n_quantities> values = {
-      {excess_seen(view) / volume,
-       is_incompressible && !is_full ? ledger.volume_change() : 0.,
+      {excess_seen(view) / ledger.first_volume(),
+       is_incompressible ? volume_change(view) : 0.,
        view.fill.overfull_fraction(),
-       is_incompressible && is_full ? air_in_closed_chambers(view) / volume :
-                                      0.,
+       is_incompressible ? air_in_closed_chambers(view) : 0.,
        tiny_steps}};
     new_alarms.clear();
     for (unsigned int i = 0; i < n_quantities; ++i)
@@ -179,11 +223,9 @@ namespace seiche
   void
   Alarms<dim>::watch_step(const StepView<dim> &view)
   {
-    if (view.step == 0)
-      expected_step = view.expected_step;
-    else
+    if (view.step > 0)
       tiny_steps +=
-        ((view.dt < tiny * expected_step ? 1. : 0.) - tiny_steps) / memory;
+        ((view.dt < tiny * view.expected_step ? 1. : 0.) - tiny_steps) / memory;
   }
 
   template <int dim>
@@ -205,7 +247,6 @@ namespace seiche
   {
     archive.section("alarms", [&]() {
       archive("largest", largest);
-      archive("expected step", expected_step);
       archive("tiny steps", tiny_steps);
     });
   }

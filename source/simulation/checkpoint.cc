@@ -15,7 +15,7 @@ namespace seiche
   namespace
   {
     /// Of the content; raise it when old files cannot be read any more.
-    constexpr unsigned int format_version = 5;
+    constexpr unsigned int format_version = 6;
 
     constexpr std::size_t points_per_chunk = std::size_t(1) << 16;
 

@@ -16,7 +16,8 @@ namespace seiche
 {
   namespace
   {
-    /// Names in a folder that match, in full; none if it does not exist.
+    /// Names of checkpoints in a folder, with those that were being written if
+    /// asked for; none if it does not exist.
     std::vector<std::string>
     checkpoints(const std::string &directory, const bool with_unfinished)
     {

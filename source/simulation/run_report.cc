@@ -236,9 +236,11 @@ namespace seiche
   RunReport::time_left() const
   {
     const double left = seconds_left();
-    return options.test_mode || !(left < longest_estimate) ?
-             "" :
-             ", " + readable_duration(left) + " left";
+    if (options.test_mode || std::isnan(left))
+      return "";
+    return left < longest_estimate ?
+             ", " + readable_duration(left) + " left" :
+             ", more than " + readable_duration(longest_estimate) + " left";
   }
 
 

@@ -96,7 +96,7 @@ namespace seiche
             effort.krylov,
             tank_motion.any() ? &tank_motion.at(time) : nullptr,
             balance,
-            time_stepper.steps() == 0 ? expected_step : 0.};
+            expected_step};
   }
 
   template <int dim>

@@ -132,6 +132,11 @@ namespace seiche
     {
       const TimerTree::Scope scope(timer, "newton");
       time_scheme.predict(state);
+      if (const auto *closed = assembler.closed_chambers())
+        {
+          closed->level_pressure(state.solution.block(1));
+          state.solution.update_ghost_values();
+        }
       time_scheme.offsets(state, state.dt, inertia_offset, rate_offset);
       wall_conditions.set_displacement(state, step, rate_offset);
       wall_contact.begin_iteration(step, rate_offset);

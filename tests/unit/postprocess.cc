@@ -155,7 +155,7 @@ namespace
                           x,
                           exact_velocity(x),
                           0.5,
-                          0.5e-3);
+                          locator.measure(cell) / (1u << dim));
         }
     points.locate();
   }

@@ -73,7 +73,7 @@ namespace seiche
     void
     remove_constants(Vector &values) const;
 
-    /// A node of each, global numbers. Collective.
+    /// A vertex of each: its node, global numbers. Collective.
     std::vector<dealii::types::global_dof_index>
     first_nodes() const;
 

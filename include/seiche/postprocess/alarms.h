@@ -64,8 +64,7 @@ namespace seiche
 
     static constexpr unsigned int n_quantities = 5;
 
-    double expected_step = 0.; // [s]
-    double tiny_steps    = 0.; // their share of the last ones [-]
+    double tiny_steps = 0.; // their share of the last ones [-]
 
     /// Account for a step.
     void

@@ -54,7 +54,7 @@ namespace seiche
     unsigned int             krylov_iterations = 0; ///< of this step, all tries
     const TankPose<dim>     *tank = nullptr; ///< at the end of the step, if any
     StepBalance<dim>         balance = {};   ///< with a tank that moves
-    double expected_step = 0.; ///< before the first: SceneScales [s]
+    double expected_step             = 0.; ///< SceneScales::expected_step() [s]
   };
 
   /**

@@ -39,7 +39,8 @@ namespace seiche
     void
     step();
 
-    /// Whether Time/End time is reached.
+    /// Whether Time/End time is reached, or all fluid has left: the step that
+    /// finds that adds no row.
     bool
     finished() const;
 

@@ -27,7 +27,6 @@ def overlay(axes, column):
                   [MBAR * row[1] for row in rows],
                   yerr=[MBAR * row[2] for row in rows],
                   fmt="k.", capsize=3, label="experiment, peak and deviation")
-    axes.set_ylim(-500, 9000)
 
 
 if __name__ == "__main__":
