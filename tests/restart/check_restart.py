@@ -7,6 +7,7 @@ check_restart.py SEICHE MPIRUN CASE
 import json
 import os
 import pathlib
+import pty
 import shutil
 import signal
 import sys
@@ -341,6 +342,26 @@ def stopped_by_mpirun(make, folder, ranks):
     require_close(whole, parts)
 
 
+def hung_up(make, folder, ranks):
+    """The terminal goes: the run stops with a checkpoint, though nobody can be told."""
+    program = make(SCENE_2D, ranks, ["Checkpoint/Every steps = 0", "Output/Interval = 0",
+                                     "Time/Step = 0.001", "Time/Step control = fixed"])
+    parts = f"{folder}/parts"
+    os.environ["MPIRUN"] = program.launcher[0]
+    command = [os.path.join(HERE, "../../contrib/mpirun"), *program.launcher[1:],
+               *program.command, "--output", parts]
+    child, terminal = pty.fork()
+    if child == 0:
+        os.execvp(command[0], command)
+    table = pathlib.Path(parts, "statistics.csv")
+    while not table.exists() or table.read_bytes().count(b"\n") < 10:
+        time.sleep(0.01)
+    os.close(terminal)
+    _, status = os.waitpid(child, 0)
+    assert os.waitstatus_to_exitcode(status) == 5, status
+    assert checkpoints(parts)
+
+
 def killed_by_mpirun(make, folder, ranks):
     """A second Ctrl-C ends the ranks at once, also those that do not answer, and says
     so."""
@@ -445,6 +466,7 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "stopped_in_time": (stopped_in_time, 1),
          "stopped_2_ranks": (stopped, 2),
          "stopped_by_mpirun_2_ranks": (stopped_by_mpirun, 2),
+         "hung_up_2_ranks": (hung_up, 2),
          "killed_by_mpirun_2_ranks": (killed_by_mpirun, 2)}
 
 
