@@ -63,6 +63,9 @@ namespace seiche
         entry_values::number(input, section + "/At least", at_least_text);
     if (!at_most_text.empty())
       at_most = entry_values::number(input, section + "/At most", at_most_text);
+    input.require(at_least <= at_most,
+                  section + "/At most",
+                  "no number can be that small and reach \"At least\".");
     const std::string hint = nearest_hint(value, numbers);
     input.require(std::find(numbers.begin(), numbers.end(), value) !=
                     numbers.end(),

@@ -472,6 +472,10 @@ GEOMETRY = [
     Case("verdict without a bound",
          **added("subsection Verdict v\n  set Value = steps\nend\n"),
          line=LAST + 1, expect=['"At most" in "Verdict v"', "bound"]),
+    Case("verdict that nothing passes",
+         **added("subsection Verdict v\n  set Value = steps\n  set At least = 6\n"
+                 "  set At most = 5\nend\n"),
+         line=LAST + 4, expect=['"At most" in "Verdict v"', "no number can"]),
 ] + [
     Case(f"reference table: {name}",
          **added("subsection Score s\n  set Column = speed_max [m/s]\n"
