@@ -39,8 +39,8 @@ namespace seiche
        0.01,
        "the volume of the points, which the fluid does not change, is wrong by "
        "more than 1 %",
-       "a smaller Time/Step, a smaller Solver/Newton tolerance or a larger "
-       "Formulation/Tau continuity factor"},
+       "a larger Formulation/Tau continuity factor (0.5) or a smaller "
+       "Time/Step"},
       {"overfull",
        0.02,
        "more than 2 % of the water is where cells are full already",
