@@ -99,7 +99,7 @@ class Starts:
 
     def run(self, *arguments_of_start):
         if not hasattr(self.own, "server"):
-            self.own.printed = tempfile.NamedTemporaryFile(dir=self.folder)
+            self.own.printed = tempfile.NamedTemporaryFile(dir=self.folder, delete=False)
             self.own.server = subprocess.Popen(
                 self.command, cwd=self.folder, stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
