@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/points/cell_locator.h>
+#include <seiche/scene/wrapped.h>
 
 #include <deal.II/base/geometry_info.h>
 
@@ -16,19 +17,10 @@ namespace seiche
   {
     dealii::Point<dim> result = x;
     for (unsigned int d = 0; d < dim; ++d)
-      if (periodic[d] && std::isfinite(x[d]))
-        {
-          const double lower = lines[d].places.front();
-          const double upper = lines[d].places.back();
-          if (x[d] >= lower && x[d] < upper)
-            continue;
-          const double length  = upper - lower;
-          const double periods = std::floor((x[d] - lower) / length);
-          // measured from the other side, so that a side goes to a side exactly
-          result[d] = lower + ((x[d] - upper) - (periods - 1.) * length);
-          if (result[d] < lower || result[d] >= upper) // round-off
-            result[d] = lower;
-        }
+      if (periodic[d])
+        result[d] = seiche::wrapped(x[d],
+                                    lines[d].places.front(),
+                                    lines[d].places.back());
     return result;
   }
 

@@ -122,7 +122,11 @@ namespace seiche
     {
       if (!view.fill.has_surface())
         return 0.;
-      const auto            leaving = find_leaving(view.occupancy);
+      const bool has_gaps =
+        view.occupancy.locator.grid.parameters.any_unilateral();
+      typename Occupancy<dim>::Vector leaving;
+      if (has_gaps)
+        leaving = find_leaving(view.occupancy);
       std::array<double, 2> parts{}; // excess, gaps
       for (const unsigned int cell : view.occupancy.occupied_cells())
         {
@@ -131,7 +135,8 @@ namespace seiche
                        view.fill.loose_volume(cell, view.points) -
                        view.fill.cell_fill(cell)) *
                       measure;
-          parts[1] += gap(view, cell, leaving) * measure;
+          if (has_gaps)
+            parts[1] += gap(view, cell, leaving) * measure;
         }
       const auto [excess, gaps] = sum_of(parts, view.points.communicator);
       return excess - std::min(gaps, std::max(0., excess));
@@ -142,7 +147,9 @@ namespace seiche
     double
     air_in_closed_chambers(const StepView<dim> &view)
     {
-      const auto           &locator = view.occupancy.locator;
+      const auto &locator = view.occupancy.locator;
+      if (!view.fill.closed_chambers().any())
+        return 0.;
       std::array<double, 2> air_and_volume{};
       for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
         if (view.fill.closed_chambers().holds_cell(cell))
@@ -158,7 +165,7 @@ namespace seiche
     /// these points in corners change theirs without end, and without harm.
     template <int dim>
     double
-    volume_change(const StepView<dim> &view)
+    volume_change_outside(const StepView<dim> &view)
     {
       const double *initial = view.points.data(PointColumn::initial_volume);
       const double *J       = view.points.data(PointColumn::volume_ratio);
@@ -202,7 +209,9 @@ namespace seiche
       view.bulk_modulus == std::numeric_limits<double>::infinity();
     const std::array<double, n_quantities> values = {
       {excess_seen(view) / ledger.first_volume(),
-       is_incompressible ? volume_change(view) : 0.,
+       !is_incompressible                ? 0. :
+       view.fill.closed_chambers().any() ? volume_change_outside(view) :
+                                           ledger.volume_change(),
        view.fill.overfull_fraction(),
        is_incompressible ? air_in_closed_chambers(view) : 0.,
        tiny_steps}};

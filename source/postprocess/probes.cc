@@ -3,6 +3,7 @@
 #include <seiche/postprocess/grid_evaluation.h>
 #include <seiche/postprocess/place_with_walls.h>
 #include <seiche/postprocess/probes.h>
+#include <seiche/scene/wrapped.h>
 #include <seiche/utilities/axis_names.h>
 #include <seiche/utilities/result_names.h>
 
@@ -81,13 +82,7 @@ namespace seiche
     {
       for (unsigned int d = 0; d < dim; ++d)
         if (grid.is_periodic(d))
-          {
-            const double length = grid.upper_corner[d] - grid.lower_corner[d];
-            if (x[d] < grid.lower_corner[d])
-              x[d] += length;
-            else if (x[d] > grid.upper_corner[d])
-              x[d] -= length;
-          }
+          x[d] = wrapped(x[d], grid.lower_corner[d], grid.upper_corner[d]);
       return x;
     }
   } // namespace

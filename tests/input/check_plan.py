@@ -295,29 +295,7 @@ def check_bodies(program, problems):
 def dam(upper="1, 0.5", cell="0.05", body="1, 0.2", end="0.01", step="0.01",
         force="0; -9.81", more=""):
     """A scene in 2D of one body."""
-    return f"""set Dimension = 2
-subsection Grid
-  set Lower corner = 0, 0
-  set Upper corner = {upper}
-  set Cell size = {cell}
-end
-subsection Fluid
-  set Density = 1000
-  set Dynamic viscosity = 0.001
-  set Bulk modulus = infinite
-end
-subsection Body force
-  set Acceleration = {force}
-end
-subsection Fluid body water
-  set Lower corner = 0, 0
-  set Upper corner = {body}
-{more}end
-subsection Time
-  set End time = {end}
-  set Step = {step}
-end
-"""
+    return box_scene(upper, cell, body, end, step, gravity=force, more=more)
 
 
 def roll(angle):
