@@ -17,7 +17,8 @@ namespace seiche
                            &velocity_start,
                            &velocity_np1,
                            &acceleration_np1,
-                           &reaction})
+                           &reaction,
+                           &start_reaction})
       vector->reinit(components);
     if (with_acceleration)
       acceleration_n.reinit(components);

@@ -167,6 +167,14 @@ namespace seiche
 
 
   bool
+  Declaration::is_file() const
+  {
+    return pattern.compare(0, 9, "[FileName") == 0;
+  }
+
+
+
+  bool
   Declaration::accepts(const std::string &value) const
   {
     return dealii::Patterns::pattern_factory(pattern)->match(value);

@@ -290,8 +290,16 @@ namespace seiche
       for (const Declaration &declaration : known)
         if (declaration.path == path && text.entries.count(path) > 0)
           {
-            const std::string &value   = text.entries.at(path).value;
-            const std::string  problem = parse_entry(prm, declaration, value);
+            const std::string &value = text.entries.at(path).value;
+            // parameters.prm, in another folder, is to mean the same
+            const std::string problem =
+              parse_entry(prm,
+                          declaration,
+                          declaration.is_file() && !value.empty() ?
+                            std::filesystem::absolute(file_beside(value))
+                              .lexically_normal()
+                              .string() :
+                            value);
             if (value == declaration.default_value && !declaration.mandatory)
               entries_at_default.insert(path);
             if (!problem.empty())
@@ -431,10 +439,8 @@ namespace seiche
 
 
   std::string
-  InputFile::directory() const
+  InputFile::file_beside(const std::string &name) const
   {
-    const std::string parent =
-      std::filesystem::path(filename).parent_path().string();
-    return parent.empty() ? "." : parent;
+    return (std::filesystem::path(filename).parent_path() / name).string();
   }
 } // namespace seiche

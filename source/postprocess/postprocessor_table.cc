@@ -189,6 +189,7 @@ namespace seiche
   template <int dim>
   void
   PostprocessorList<dim>::check(const GridParameters<dim>      &grid,
+                                const double                    end_time,
                                 const std::vector<std::string> &other_columns,
                                 const std::vector<std::string> &other_numbers,
                                 const bool tank_moves) const
@@ -219,7 +220,7 @@ namespace seiche
     add(Alarms<dim>::summary_numbers());
     for (const ScoreParameters &score : all.score_parameters)
       {
-        score.check(all.input, columns);
+        score.check(all.input, columns, end_time);
         add({VerdictParameters::of_scores + score.name});
       }
     for (VerdictParameters &verdict : all.verdicts)
@@ -338,6 +339,13 @@ namespace seiche
   PostprocessorList<dim>::output() const
   {
     return implementation->output;
+  }
+
+  template <int dim>
+  bool
+  PostprocessorList<dim>::measure_forces() const
+  {
+    return !implementation->forces.empty();
   }
 
   template <int dim>

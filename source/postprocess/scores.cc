@@ -87,7 +87,8 @@ namespace seiche
     prm.add_parameter("Reference table",
                       table,
                       "Reference as a CSV file with one header line, relative "
-                      "to the parameter file; instead of \"Reference\".");
+                      "to the parameter file; instead of \"Reference\".",
+                      Patterns::FileName());
     prm.add_parameter("Table columns",
                       table_columns,
                       "Columns of time and value in the table, counted from "
@@ -127,7 +128,8 @@ namespace seiche
 
   void
   ScoreParameters::check(const InputFile                &input,
-                         const std::vector<std::string> &columns) const
+                         const std::vector<std::string> &columns,
+                         const double                    end_time) const
   {
     const std::string section = std::string(kind) + " " + name;
     const std::string hint    = nearest_hint(column, columns);
@@ -148,7 +150,14 @@ namespace seiche
                   section + "/To",
                   "the window must not end before \"From\"; 0 means the end "
                   "of the run.");
-    const Score constructible(*this, input);
+    const double slack = 1e-9 * end_time;
+    input.read_only_if(from <= end_time + slack,
+                       section + "/From",
+                       "a Time/End time after it");
+    const Score score(*this, input);
+    input.read_only_if(score.last_time() <= end_time + slack,
+                       section + "/Times",
+                       "a Time/End time after the last one");
   }
 
   Score::Score(const ScoreParameters &score_parameters, const InputFile &input)

@@ -214,10 +214,11 @@ namespace seiche
     };
     for (const Share &share : shares)
       {
-        Tensor<1, dim> force;
+        Tensor<1, dim>     force;
+        const unsigned int i = dim * share.node + share.component;
         force[share.component] =
-          share.part *
-          view.state.reaction.local_element(dim * share.node + share.component);
+          share.part * (view.state.reaction.local_element(i) +
+                        view.state.start_reaction.local_element(i));
         subtract(share.force, share.node, force);
       }
     for (const auto &drag : view.state.drags)

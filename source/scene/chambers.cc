@@ -4,6 +4,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <map>
+#include <optional>
 
 namespace seiche
 {
@@ -37,6 +38,22 @@ namespace seiche
               grid.wall_condition(face->boundary_id()) == WallCondition::open)
             open[chamber] = 1;
       }
+  }
+
+  template <int dim>
+  dealii::BoundingBox<dim>
+  Chambers<dim>::box(const unsigned int chamber) const
+  {
+    std::optional<dealii::BoundingBox<dim>> around;
+    for (const auto &cell : grid.triangulation.cell_iterators_on_level(0))
+      if (of_coarse_cell[cell->index()] == chamber)
+        {
+          if (around)
+            around->merge_with(cell->bounding_box());
+          else
+            around = cell->bounding_box();
+        }
+    return *around;
   }
 
   template <int dim>

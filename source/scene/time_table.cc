@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/parameters/file_beside.h>
+#include <seiche/parameters/input_file.h>
 #include <seiche/scene/entry_values.h>
 #include <seiche/scene/expression.h>
 #include <seiche/scene/time_table.h>
@@ -153,7 +153,7 @@ namespace seiche
   {
     const auto        columns  = column_numbers(input, entries);
     const auto        factors  = factors_to_si(input, entries);
-    const std::string filename = file_beside(input, entries.file);
+    const std::string filename = input.file_beside(entries.file);
     const auto        fail     = [&](const std::string &problem) {
       input.fail(entries.file_path, problem);
     };
@@ -261,7 +261,7 @@ namespace seiche
       "file. Every expression may call the table as NAME(t), "
       "as in 0.5*NAME(t - 1); it must cover the times that are "
       "asked for.",
-      dealii::Patterns::Anything(),
+      dealii::Patterns::FileName(),
       /*has_to_be_set=*/true);
     prm.add_parameter("Columns",
                       columns,

@@ -185,17 +185,15 @@ namespace seiche
   ParameterValues
   fixed_parameters(const ParameterValues &all)
   {
-    static const std::vector<std::string> free_sections = {"Output/",
-                                                           "Checkpoint/",
-                                                           "Solver/",
-                                                           "Score "};
-    static const std::vector<std::string> free_entries  = {
-       "Time/End time",
-       "Time/Step",
-       "Time/CFL number",
-       "Time/Error tolerance",
-       "Time/Minimum step",
-       "Time/Maximum displacement"};
+    static const std::vector<std::string> free_sections = {
+      "Output/", "Checkpoint/", "Solver/", "Score ", "Verdict "};
+    static const std::vector<std::string> free_entries = {
+      "Time/End time",
+      "Time/Step",
+      "Time/CFL number",
+      "Time/Error tolerance",
+      "Time/Minimum step",
+      "Time/Maximum displacement"};
     static const std::string step_control = "Time/Step control";
     ParameterValues          fixed;
     for (const auto &entry : all)

@@ -168,6 +168,7 @@ namespace seiche
                        "would differ at the two sides. Leave it empty, or give "
                        "the tank walls.");
     postprocessors.check(grid,
+                         time.end_time,
                          simulation_columns(),
                          summary_numbers(),
                          tank_motion.any());

@@ -17,6 +17,7 @@ namespace seiche
   {
     constexpr double hardly_meant = 20.;               // speed over sqrt(g H)
     constexpr double mostly       = 0.7;               // of the body force
+    constexpr double lying        = 0.05;              // the same
     constexpr double hardly_turns = 0.6 * numbers::PI; // of a tank [rad]
 
     // cells in a step, where round-off of volumes or of viscous stresses is
@@ -28,6 +29,19 @@ namespace seiche
     constexpr double stiffest = 10.;
     /// Least bulk modulus over rho g H, the same.
     constexpr double softest = 5.;
+
+    /// True if there are walls at both sides of the domain in a direction.
+    template <int dim>
+    bool
+    has_walls(const GridParameters<dim> &grid, const unsigned int direction)
+    {
+      const auto is_wall = [&grid](const unsigned int side) {
+        const WallCondition condition = grid.wall_condition(side);
+        return condition != WallCondition::open &&
+               condition != WallCondition::periodic;
+      };
+      return is_wall(2 * direction) && is_wall(2 * direction + 1);
+    }
   } // namespace
 
   template <int dim>
@@ -42,7 +56,8 @@ namespace seiche
                                scene.time.end_time))
     , density(scene.fluid.density)
     , viscosity(scene.fluid.dynamic_viscosity)
-    , modulus(scene.formulation.is_mixed() ? 0. : scene.fluid.bulk_modulus)
+    , modulus(scene.fluid.bulk_modulus)
+    , is_mixed(scene.formulation.is_mixed())
     , step(scene.time.step)
     , is_fixed(!scene.time.is_controlled())
     , end_time(scene.time.end_time)
@@ -78,6 +93,9 @@ namespace seiche
         depth   = top - bottom;
         gravity = std::sqrt(square / n);
         upwards = sum[dim - 1] / n;
+        for (unsigned int d = 0; dim == 3 && d < 2; ++d)
+          if (has_walls(scene.grid, d))
+            sideways = std::max(sideways, std::abs(sum[d]) / n);
       }
     if (body_force.tank.any())
       for (const double t : sample_times(end_time))
@@ -143,12 +161,13 @@ namespace seiche
   {
     const int   digits = depth_is_exact ? 3 : 2;
     std::string result =
-      fmt::format("{}{:.4g} kg of fluid, depth {}{:.{}g} m, ",
+      fmt::format("{}{:.4g} kg of fluid, depth {}{:.{}g} m ({:.2g} cells), ",
                   mass_is_exact ? "" : "about ",
                   mass,
                   depth_is_exact ? "" : "about ",
                   depth,
-                  digits);
+                  digits,
+                  depth / smallest_cell);
     if (gravity > 0.)
       result += fmt::format("sqrt(g H) {:.{}g} m/s, rho g H {:.{}g} Pa",
                             wave_speed(),
@@ -186,6 +205,9 @@ namespace seiche
     else if (upwards > mostly * gravity)
       result.push_back("the body force points upwards: gravity is 0; -9.81 in "
                        "2D, 0; 0; -9.81 in 3D");
+    else if (sideways > mostly * gravity && std::abs(upwards) < lying * gravity)
+      result.push_back("the body force points to a wall at the side: gravity "
+                       "in 3D is 0; 0; -9.81");
     if (gravity > 0. && speed > hardly_meant * wave_speed())
       result.push_back(fmt::format(
         "the fluid starts with {:.3g} m/s, {:.2g} times sqrt(g H): are all "
@@ -198,6 +220,13 @@ namespace seiche
         "may help: {}",
         cells_in(step),
         entry_for_motion()));
+    const double weight = density * gravity * depth;
+    if (modulus < softest * weight)
+      result.push_back(fmt::format(
+        "the fluid is compressed by {:.2g} % under its own weight: Fluid/Bulk "
+        "modulus should be {:.1g} Pa at least",
+        50. * weight / modulus,
+        softest * weight));
     if (const std::string doubt = doubt_of_sound(); !doubt.empty())
       result.push_back(doubt);
     return result;
@@ -208,7 +237,7 @@ namespace seiche
   {
     const double sound = std::sqrt(modulus / density);
     const double cells = sound * step / smallest_cell;
-    if (cells <= stiffest)
+    if (is_mixed || cells <= stiffest)
       return "";
     const double soft = density * std::pow(stiffest * smallest_cell / step, 2);
     return fmt::format(

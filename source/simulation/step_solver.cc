@@ -47,6 +47,7 @@ namespace seiche
     , timer(run_timer)
     , has_pressure(formulation.has_pressure())
     , is_incompressible(has_pressure && scene.fluid.is_incompressible())
+    , measures_forces(scene.postprocessors.measure_forces())
     , quadrature(make_quadrature(points,
                                  fill,
                                  scene.fluid.density,
@@ -129,6 +130,7 @@ namespace seiche
     if (const std::string problem = find_start_velocity(state, step, projects);
         !problem.empty())
       return problem;
+    find_start_reaction(state, projects);
     {
       const TimerTree::Scope scope(timer, "newton");
       time_scheme.predict(state);
@@ -208,7 +210,9 @@ namespace seiche
           return "";
         const TimerTree::Scope scope(timer, "velocity projection");
         const LinearResult     result =
-          velocity_projection.apply(state, coefficients, wall_contact.any());
+          velocity_projection.apply(state,
+                                    coefficients,
+                                    wall_contact.any() || measures_forces);
         last.krylov_iterations += result.iterations;
         if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
           return result.is_singular ?
@@ -223,6 +227,26 @@ namespace seiche
         if (!wall_contact.correct_start(state))
           return "";
       }
+  }
+
+  template <int dim>
+  void
+  StepSolver<dim>::find_start_reaction(GridState<dim> &state,
+                                       const bool      projects) const
+  {
+    if (!measures_forces)
+      return;
+    state.start_reaction = 0.;
+    occupancy.for_each_fixed([&](const unsigned int i) {
+      // walls give their velocity first, then the projection pushes
+      const double stopping = state.mass.local_element(i / dim) *
+                              (state.velocity_start.local_element(i) -
+                               state.velocity_n.local_element(i)) /
+                              state.dt;
+      state.start_reaction.local_element(i) =
+        stopping +
+        (has_pressure && projects ? state.reaction.local_element(i) : 0.);
+    });
   }
 
   template <int dim>

@@ -71,12 +71,9 @@ namespace seiche
     // rows of fixed components are not in the matrix
     BlockVector residual(state.solution);
     residual.zero_out_ghost_values();
-    state.solution = 0.;
-    state.solution.update_ghost_values();
-    assembler.residual(state, residual);
-    const Vector start(state.reaction);
+    const Vector start(state.reaction); // of solve()
     state.solution.zero_out_ghost_values();
-    state.solution.equ(reaction_share, solution);
+    state.solution.sadd(1. - reaction_share, reaction_share, solution);
     state.solution.update_ghost_values();
     assembler.residual(state, residual);
     state.reaction.sadd(1. / reaction_share, 1. - 1. / reaction_share, start);

@@ -261,7 +261,7 @@ namespace
     Parsed<dim>               parsed(input);
     auto                     &postprocessors = parsed.postprocessors;
     const BackgroundGrid<dim> grid(parsed.grid, communicator);
-    postprocessors.check(parsed.grid, {"time [s]"}, {});
+    postprocessors.check(parsed.grid, /*end_time=*/1., {"time [s]"}, {});
     postprocessors.make(name, grid, communicator);
 
     const CellLocator<dim> locator(grid);
@@ -361,7 +361,10 @@ namespace
       {
         const InputFile input("scene2d.prm", {override_entry});
         Parsed<2>       parsed(input);
-        parsed.postprocessors.check(parsed.grid, {"time [s]"}, {});
+        parsed.postprocessors.check(parsed.grid,
+                                    /*end_time=*/1.,
+                                    {"time [s]"},
+                                    {});
       }
     catch (const InputError &error)
       {

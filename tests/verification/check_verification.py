@@ -65,6 +65,32 @@ def centre_lines(output):
     return cavity_profiles.errors(output, 100)
 
 
+def impulse_of_walls(output):
+    """Largest difference between the impulse of all walls (Force walls) and
+    the change of momentum, over the momentum at the start (x) or the impulse
+    of the weight (last axis)."""
+    with open(f"{output}/statistics.csv", encoding="utf-8") as file:
+        rows = [{name: float(value) for name, value in row.items() if value}
+                for row in csv.DictReader(file)]
+    momentum, force = (f"{kind} {{}} [{unit}]" for kind, unit in (
+        ("momentum", "kg m/s"), ("force walls", "N")))
+    axes = [axis for axis in "xyz" if momentum.format(axis) in rows[0]]
+    begin, weight = rows[0], 9.81 * rows[0]["mass [kg]"]
+    scales = {"x": abs(begin[momentum.format("x")]),
+              axes[-1]: weight * rows[-1]["time [s]"]}
+    errors = {}
+    for axis, scale in scales.items():
+        impulse = largest = 0.
+        for row in rows[1:]:
+            gravity = weight if axis == axes[-1] else 0.
+            # the force on the walls is minus that on the water
+            impulse -= (row[force.format(axis)] + gravity) * row["dt [s]"]
+            change = row[momentum.format(axis)] - begin[momentum.format(axis)]
+            largest = max(largest, abs(impulse - change))
+        errors[axis] = largest / scale
+    return errors
+
+
 def size(summary, name):
     """Size of a score, or of a number given by its path in summary.json."""
     if name in summary["errors"]:

@@ -51,6 +51,9 @@ namespace seiche
     Vector acceleration_np1; ///< [m/s^2] of the step (scheme's own meaning)
     Vector pressure_guess;   ///< [Pa] mass-weighted mean of the points
     Vector reaction;         ///< [N] of what fixes components, on the fluid
+    Vector start_reaction;   ///< [N] the same of what made v_0 of v_n, its
+                             ///< impulse over dt; zero unless forces are
+                             ///< measured
 
     /// Force of a wall's friction on the fluid at an own node [N].
     struct Drag

@@ -32,6 +32,10 @@ namespace seiche
     std::vector<std::string>
     choices() const;
 
+    /// True if the value is the name of a file.
+    bool
+    is_file() const;
+
     /// True if the pattern accepts the value.
     bool
     accepts(const std::string &value) const;

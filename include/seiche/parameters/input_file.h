@@ -125,10 +125,9 @@ namespace seiche
 
     const std::string filename;
 
-    /// Directory of the file: relative names in it (reference tables) start
-    /// here.
+    /// A file that an entry names: absolute, or relative to the parameter file.
     std::string
-    directory() const;
+    file_beside(const std::string &name) const;
 
   private:
     InputFile() = default;

@@ -47,12 +47,13 @@ namespace seiche
     add_parameters(dealii::ParameterHandler &prm);
 
     /// Check the parsed entries (names of columns and walls, expressions,
-    /// reference tables, paths of verdicts). @p other_columns: of the
-    /// statistics, and @p other_numbers: paths in summary.json, beside those
+    /// reference tables, paths of verdicts). @p end_time: of the run [s];
+    /// @p other_columns: of the statistics, and @p other_numbers: paths in summary.json, beside those
     /// that the postprocessors add; @p tank_moves: a "Tank motion" adds some.
     /// InputError with place.
     void
     check(const GridParameters<dim>      &grid,
+          const double                    end_time,
           const std::vector<std::string> &other_columns,
           const std::vector<std::string> &other_numbers,
           const bool                      tank_moves = false) const;
@@ -82,6 +83,10 @@ namespace seiche
 
     const OutputParameters &
     output() const;
+
+    /// True if a "Force NAME" reads the reactions of the walls.
+    bool
+    measure_forces() const;
 
     /// Of probes, tracked points and gauges.
     std::vector<NamedPlace<dim>>

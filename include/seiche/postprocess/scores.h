@@ -51,10 +51,12 @@ namespace seiche
 
     void
     add_parameters(dealii::ParameterHandler &prm);
-    /// @p columns are the names that the statistics will have.
+    /// @p columns are the names that the statistics will have, until
+    /// @p end_time [s].
     void
     check(const InputFile                &input,
-          const std::vector<std::string> &columns) const;
+          const std::vector<std::string> &columns,
+          const double                    end_time) const;
   };
 
   /// What measures are made of: sums over the rows, weighted but for the last
@@ -105,6 +107,13 @@ namespace seiche
     /// The score, or nothing: @p warning then says why. Local.
     std::optional<double>
     evaluate(const StatisticsTable &statistics, std::string &warning) const;
+
+    /// Last of the times asked for [s]; 0 if there are none.
+    double
+    last_time() const
+    {
+      return times.empty() ? 0. : *std::max_element(times.begin(), times.end());
+    }
 
     const ScoreParameters parameters;
 

@@ -46,6 +46,10 @@ namespace seiche
       return open[chamber];
     }
 
+    /// The box around it [m], as the grid was made.
+    dealii::BoundingBox<dim>
+    box(const unsigned int chamber) const;
+
     /// Volume [m^dim] with the grid lines at @p place (direction, place in
     /// BackgroundGrid [m]).
     double

@@ -37,9 +37,10 @@ namespace seiche
     std::string
     text() const;
 
-    /// What is hardly meant: gravity upwards, angles of the tank in degrees,
-    /// speeds above 20 sqrt(g H), steps in which nothing moves, sound that
-    /// crosses more than 10 cells in a step of the irreducible form. Local.
+    /// What is hardly meant: gravity upwards or (3D) to a side, angles of the
+    /// tank in degrees, a bulk modulus below 5 rho g H, speeds above
+    /// 20 sqrt(g H), steps in which nothing moves, sound that crosses more than
+    /// 10 cells in a step of the irreducible form. Local.
     std::vector<std::string>
     doubts() const;
 
@@ -82,7 +83,8 @@ namespace seiche
 
     double density       = 0.;   ///< [kg/m^3]
     double viscosity     = 0.;   ///< [Pa s]
-    double modulus       = 0.;   ///< kappa of the irreducible form, else 0 [Pa]
+    double modulus       = 0.;   ///< kappa [Pa], infinity allowed
+    bool   is_mixed      = true; ///< or the irreducible form
     double step          = 0.;   ///< [s]
     bool   is_fixed      = true; ///< or the largest step
     double end_time      = 0.;   ///< [s]
@@ -94,6 +96,7 @@ namespace seiche
     bool   depth_is_exact = true;
     double gravity        = 0.; ///< g, root mean square over the fluid [m/s^2]
     double upwards        = 0.; ///< mean vertical part of the force [m/s^2]
+    double sideways       = 0.; ///< the same, horizontal, between walls
     double turn           = 0.; ///< largest angle of the tank [rad]
   };
 } // namespace seiche

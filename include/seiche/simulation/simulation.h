@@ -130,6 +130,10 @@ namespace seiche
     double
     step_error() const;
 
+    /// Say where the pressure is known up to a constant only. Collective.
+    void
+    announce_full_chambers();
+
     /// Velocity (and acceleration, pressure) that fit the constraint.
     void
     prepare_start();

@@ -72,6 +72,14 @@ namespace seiche
       return wall_motion.any() || wall_velocity.any();
     }
 
+    /// Chambers in which the pressure is known up to a constant only; null if
+    /// there are none.
+    const ClosedChambers<dim> *
+    closed_chambers() const
+    {
+      return assembler.closed_chambers();
+    }
+
     /// Iterations of the last attempt.
     const NewtonResult &
     effort() const
@@ -117,6 +125,11 @@ namespace seiche
                         const StepCoefficients &coefficients,
                         const bool              projects);
 
+    /// state.start_reaction, if forces are measured, once the start velocity
+    /// is found.
+    void
+    find_start_reaction(GridState<dim> &state, const bool projects) const;
+
     using Vector = typename GridState<dim>::Vector;
 
     const Scene<dim>      &scene;
@@ -129,6 +142,7 @@ namespace seiche
 
     const bool has_pressure;
     const bool is_incompressible; ///< constraint instead of a bulk modulus
+    const bool measures_forces;
     const std::unique_ptr<Quadrature<dim>> quadrature;
     const WallVelocity<dim>                wall_velocity;
     const WallConditions<dim>              wall_conditions;

@@ -67,8 +67,8 @@ namespace seiche
           BlockVector            &solution,
           const double            reduction);
 
-    /// state.reaction of the system that solve() has solved, linear about u =
-    /// p = 0 as it is.
+    /// state.reaction of the system that solve() has just solved, linear about
+    /// where it began (state.solution).
     void
     find_reactions(GridState<dim> &state, const BlockVector &solution);
 
