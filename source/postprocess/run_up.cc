@@ -32,15 +32,18 @@ namespace seiche
   {
     const std::vector<std::string> known = wall_names(grid);
     const std::string              hint  = nearest_hint(wall, known);
-    input.require(std::find(known.begin(), known.end(), wall) != known.end(),
-                  std::string(kind) + " " + name + "/Wall",
+    const std::string path = std::string(kind) + " " + name + "/Wall";
+    const auto id = std::find(known.begin(), known.end(), wall) - known.begin();
+    input.require(id < static_cast<std::ptrdiff_t>(known.size()),
+                  path,
                   "there is no wall \"" + wall + "\"" +
                     (hint.empty() ? "." : hint) + " Walls are " +
                     quoted_list(known) + ".");
-    require_no_seam(input,
-                    grid,
-                    std::string(kind) + " " + name + "/Wall",
-                    wall);
+    input.require(id < 2 * dim - 2 || id >= 2 * dim,
+                  path,
+                  "water runs up walls that stand upright: name another side, "
+                  "or an obstacle.");
+    require_no_seam(input, grid, path, wall);
   }
 
   template <int dim>

@@ -51,6 +51,26 @@ namespace seiche
       return false;
     }
 
+    /// True if that face of an obstacle lies on a side of the domain.
+    template <int dim>
+    bool
+    touches_side(const typename GridParameters<dim>::Obstacle &box,
+                 const std::string                            &face,
+                 const BoundingBox<dim>                       &domain)
+    {
+      for (unsigned int side = 0; side < 2 * dim; ++side)
+        if (face == side_name<dim>(side))
+          {
+            const unsigned int d  = side / 2;
+            const auto         at = domain.get_boundary_points();
+            return std::abs(side % 2 == 0 ?
+                              box.lower_corner[d] - at.first[d] :
+                              box.upper_corner[d] - at.second[d]) <=
+                   wall_slack(domain.side_length(d));
+          }
+      return false;
+    }
+
     /// r x F: the component along z in 2D.
     template <int dim>
     std::array<double, n_rotations<dim>>
@@ -111,6 +131,15 @@ namespace seiche
                       "the wall \"" + *wall +
                         "\" is a side of the domain, and only obstacles have "
                         "faces; set it to \"all\" or name obstacles alone.");
+        if (face != "all")
+          input.require(
+            !touches_side(grid.obstacles[id - known.begin() - 2 * dim],
+                          face,
+                          grid.domain()),
+            std::string(kind) + " " + name + "/Face",
+            "this face of \"" + *wall +
+              "\" lies on a side of the domain, where no water "
+              "gets to it; choose another face, or all.");
         input.require(std::find(walls.begin(), wall, *wall) == wall,
                       path,
                       "the wall \"" + *wall +

@@ -18,6 +18,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 namespace seiche
@@ -133,6 +134,16 @@ namespace seiche
       return {};
     }
 
+    /// Relative to the current directory, if it lies there.
+    std::string
+    as_typed(const std::filesystem::path &file)
+    {
+      const auto near =
+        file.lexically_proximate(std::filesystem::current_path()).string();
+      return file.is_absolute() && near.rfind("..", 0) != 0 ? near :
+                                                              file.string();
+    }
+
     /// A name that an expression can call.
     bool
     is_one_word(const std::string &name)
@@ -153,7 +164,7 @@ namespace seiche
   {
     const auto        columns  = column_numbers(input, entries);
     const auto        factors  = factors_to_si(input, entries);
-    const std::string filename = input.file_beside(entries.file);
+    const std::string filename = as_typed(input.file_beside(entries.file));
     const auto        fail     = [&](const std::string &problem) {
       input.fail(entries.file_path, problem);
     };

@@ -446,6 +446,14 @@ GEOMETRY = [
     Case("no such wall of a run-up",
          **added("subsection Run-up r\n  set Wall = rigth\nend\n"),
          line=LAST + 2, expect=['"Wall" in "Run-up r"', '"right"']),
+    Case("run-up on the bottom",
+         **added("subsection Run-up r\n  set Wall = bottom\nend\n"),
+         line=LAST + 2, expect=['"Wall" in "Run-up r"', "upright"]),
+    Case("force on a face that no water gets to",
+         **added("subsection Obstacle block\n  set Lower corner = 0.6, 0\n"
+                 "  set Upper corner = 0.7, 0.2\nend\n"
+                 "subsection Force f\n  set Walls = block\n  set Face = bottom\nend\n"),
+         line=LAST + 7, expect=['"Face" in "Force f" = bottom', "another face"]),
     Case("score of an unknown column",
          **added("subsection Score s\n  set Column = speed_mx [m/s]\nend\n"),
          line=LAST + 2, expect=['"Column" in "Score s"', "speed_max"]),
@@ -749,6 +757,14 @@ WITHOUT_EFFECT = [
                  "  set Interpolation = spline\nend\n"),
          code=0, line=LAST + 3,
          expect=['"Distance"', "walls or probes", '"Interpolation"', "Reference table"]),
+    Case("without effect: a score of times after the end",
+         **added("subsection Score late\n  set Column = mass [kg]\n"
+                 "  set From = 5\nend\n"
+                 "subsection Score at\n  set Column = mass [kg]\n"
+                 "  set Times = 0.01, 5\nend\n"),
+         code=0, line=LAST + 3,
+         expect=['"From" in "Score late" = 5', '"Times" in "Score at" = 0.01, 5',
+                 "Time/End time after"]),
     Case("set, but to the default", arguments=["scene.prm", "--set",
          "Time/CFL number = 0.4"], code=0, silent=True),
 ]

@@ -303,12 +303,18 @@ def roll(angle):
 
 
 DOUBTFUL = [  # what is said, what is not, the scene
-    (["430 kg of fluid, depth 0.43 m"], ["warning"], dam(body="1, 0.43", cell="0.02")),
-    (["about 0.5 m, sqrt(g H) 2.2 m/s"], ["warning"],
+    (["430 kg of fluid, depth 0.43 m (22 cells)"], ["warning"], dam(body="1, 0.43", cell="0.02")),
+    (["about 0.5 m (10 cells), sqrt(g H) 2.2 m/s"], ["warning"],
      dam(upper="1, 1", more="  set Shape = expression\n"
          "  set Expression = y - 0.5 + 0.001*cos(3*x)\n").replace(
              "  set Lower corner = 0, 0\n  set Upper corner = 1, 0.2\n", "")),
     (["warning: the body force points upwards"], [], dam(force="0; 9.81")),
+    (["warning: the body force points to a wall at the side"], [],
+     box_scene("1, 1, 1", water="0.4, 0.4, 0.4", cell="0.2", end="0.01",
+               gravity="0; -9.81; 0")),
+    ([], ["warning"], dam(force="-9.81; 0")),
+    (["warning: the fluid is compressed by 20 %", "Bulk modulus should be 1e+04 Pa"], [],
+     dam().replace("= infinite", "= 5000")),
     (["fastest 500 m/s", "warning: the fluid starts with 500 m/s"], [],
      dam(more="  set Velocity = 500; 0\n", step="1e-6", end="1e-6")),
     (["warning: the tank turns by 229 degrees", "radians"], ["upwards"],

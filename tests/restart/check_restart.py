@@ -107,6 +107,10 @@ def exact_tank(make, folder, ranks):
         "  set File = roll.csv\nend\n")
     program = make(scene, ranks)
     exact(program, folder, ["statistics.csv"], ["0.13", "0.29"])
+    program.run_until(f"{folder}/again", "0.13")
+    again = make(f"{folder}/whole/parameters.prm", ranks)  # elsewhere than the table
+    again.run(f"{folder}/again", "--restart")
+    require_same_files(f"{folder}/whole", f"{folder}/again", ["statistics.csv"])
     table.write_text(table.read_text() + "0.7,1\n")
     text = program.run(f"{folder}/parts", "--restart", code=4)
     assert "Table roll/File" in text and "checksum" in text, text
@@ -267,6 +271,10 @@ def refused(make, folder, _):
     os.truncate(f"{parts}/statistics.csv", 1000)
     assert "statistics.csv" in program.run(parts, "--restart", code=4)
 
+    program.run_until(f"{folder}/judged", "0.25")
+    judged = make(SCENE_2D, 1, ["Verdict all/Value = steps", "Verdict all/At least = 1"])
+    assert "verdict" in judged.run(f"{folder}/judged", "--restart")
+
     program.run_until(parts, "0.25")
     stuck = f"{parts}/checkpoint-000001.h5"  # no file: cannot be removed
     os.makedirs(f"{stuck}/content")
@@ -337,6 +345,7 @@ def stopped_by_mpirun(make, folder, ranks):
         action(process)
         text = process.communicate(timeout=60)[0]
         assert process.returncode == 5, f"{process.returncode}: {text}"
+        assert "exit code 5 of the program" in text.splitlines()[-1], text
         assert checkpoints(parts)
     program.run(parts, "--restart")
     require_close(whole, parts)

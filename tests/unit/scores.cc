@@ -55,7 +55,7 @@ namespace
         input.parse_into(prm);
         seiche::StatisticsTable statistics(""), names("");
         fill(names);
-        parameters.check(input, names.names());
+        parameters.check(input, names.names(), /*end_time=*/10.);
         const seiche::Score score(parameters, input);
         score.request(statistics);
         fill(statistics);
