@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 namespace seiche
 {
@@ -33,10 +33,13 @@ namespace seiche
       if (!problem.empty())
         return "";
 
-      std::ifstream stream(filename, std::ios::binary);
-      std::string   text((std::istreambuf_iterator<char>(stream)),
-                       std::istreambuf_iterator<char>());
-      if (!stream.good() && !stream.eof())
+      // the stream's own read() reports what the system refuses to read
+      std::ifstream          stream(filename, std::ios::binary);
+      std::string            text;
+      std::array<char, 4096> block;
+      while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
+        text.append(block.data(), stream.gcount());
+      if (!stream.eof())
         problem = "this file cannot be read; check its permissions";
       else if (text.find('\0') != std::string::npos)
         problem = "this is not a text file";

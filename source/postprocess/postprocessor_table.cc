@@ -355,10 +355,20 @@ namespace seiche
     std::vector<NamedPlace<dim>> result;
     for (const auto &probe : implementation->probes)
       result.push_back({probe.name, probe.position});
-    for (const auto &track : implementation->tracks)
-      result.push_back({track.name, track.position});
+    for (const NamedPlace<dim> &track : tracked_places())
+      result.push_back(track);
     for (const auto &gauge : implementation->gauges)
       result.push_back({gauge.name, gauge.position});
+    return result;
+  }
+
+  template <int dim>
+  std::vector<NamedPlace<dim>>
+  PostprocessorList<dim>::tracked_places() const
+  {
+    std::vector<NamedPlace<dim>> result;
+    for (const auto &track : implementation->tracks)
+      result.push_back({track.name, track.position});
     return result;
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/statistics_table.h>
+#include <seiche/utilities/regular_file.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -130,6 +131,10 @@ namespace seiche
   void
   StatisticsTable::read_rows(const std::size_t length)
   {
+    const std::string problem =
+      problem_of_file(filename, std::numeric_limits<std::uintmax_t>::max());
+    if (!problem.empty())
+      throw FileError(filename + ": " + problem + ".");
     std::ifstream stream(filename);
     std::string   line;
     std::size_t   done  = 0; // bytes

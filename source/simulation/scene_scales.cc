@@ -30,6 +30,18 @@ namespace seiche
     /// Least bulk modulus over rho g H, the same.
     constexpr double softest = 5.;
 
+    /// True if a place is surely more than @p slack [m] outside of a body.
+    template <int dim>
+    bool
+    is_far(const Region<dim> &region,
+           const Point<dim>  &place,
+           const double       slack)
+    {
+      BoundingBox<dim> box = region.bounding_box();
+      box.extend(slack);
+      return region.level(place) > 0. && !box.point_inside(place);
+    }
+
     /// True if there are walls at both sides of the domain in a direction.
     template <int dim>
     bool
@@ -97,6 +109,11 @@ namespace seiche
           if (has_walls(scene.grid, d))
             sideways = std::max(sideways, std::abs(sum[d]) / n);
       }
+    for (const auto &track : scene.postprocessors.tracked_places())
+      if (std::all_of(bodies.begin(), bodies.end(), [&](const auto &body) {
+            return is_far(*body.region, track.place, smallest_edge);
+          }))
+        lost_tracks.push_back(track.name);
     if (body_force.tank.any())
       for (const double t : sample_times(end_time))
         for (const double angle : body_force.tank.at(t).angles)
@@ -227,6 +244,10 @@ namespace seiche
         "modulus should be {:.1g} Pa at least",
         50. * weight / modulus,
         softest * weight));
+    for (const std::string &name : lost_tracks)
+      result.push_back("Tracked point " + name +
+                       " lies outside of the fluid: the nearest material point "
+                       "is followed");
     if (const std::string doubt = doubt_of_sound(); !doubt.empty())
       result.push_back(doubt);
     return result;

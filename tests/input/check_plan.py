@@ -313,6 +313,9 @@ DOUBTFUL = [  # what is said, what is not, the scene
      box_scene("1, 1, 1", water="0.4, 0.4, 0.4", cell="0.2", end="0.01",
                gravity="0; -9.81; 0")),
     ([], ["warning"], dam(force="-9.81; 0")),
+    (["warning: Tracked point far lies outside"], ["Tracked point near"],
+     dam() + "subsection Tracked point far\n  set Position = 0.9, 0.4\nend\n"
+     "subsection Tracked point near\n  set Position = 0.9, 0.21\nend\n"),
     (["warning: the fluid is compressed by 20 %", "Bulk modulus should be 1e+04 Pa"], [],
      dam().replace("= infinite", "= 5000")),
     (["fastest 500 m/s", "warning: the fluid starts with 500 m/s"], [],

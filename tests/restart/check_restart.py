@@ -270,6 +270,10 @@ def refused(make, folder, _):
     assert all("00090" not in name for name in checkpoints(parts))
     os.truncate(f"{parts}/statistics.csv", 1000)
     assert "statistics.csv" in program.run(parts, "--restart", code=4)
+    os.remove(f"{parts}/statistics.csv")
+    os.mkfifo(f"{parts}/statistics.csv")  # would wait for a writer
+    assert "not a regular file" in program.run(parts, "--restart", code=4)
+    os.remove(f"{parts}/statistics.csv")
 
     program.run_until(f"{folder}/judged", "0.25")
     judged = make(SCENE_2D, 1, ["Verdict all/Value = steps", "Verdict all/At least = 1"])

@@ -92,6 +92,10 @@ namespace seiche
     std::vector<NamedPlace<dim>>
     places() const;
 
+    /// Of tracked points alone.
+    std::vector<NamedPlace<dim>>
+    tracked_places() const;
+
     /// What all of them carry from step to step. Collective.
     void
     save_or_load(StateArchive &archive);

@@ -38,9 +38,10 @@ namespace seiche
     text() const;
 
     /// What is hardly meant: gravity upwards or (3D) to a side, angles of the
-    /// tank in degrees, a bulk modulus below 5 rho g H, speeds above
-    /// 20 sqrt(g H), steps in which nothing moves, sound that crosses more than
-    /// 10 cells in a step of the irreducible form. Local.
+    /// tank in degrees, tracked points outside of the fluid, a bulk modulus
+    /// below 5 rho g H, speeds above 20 sqrt(g H), steps in which nothing
+    /// moves, sound that crosses more than 10 cells in a step of the
+    /// irreducible form. Local.
     std::vector<std::string>
     doubts() const;
 
@@ -98,6 +99,7 @@ namespace seiche
     double upwards        = 0.; ///< mean vertical part of the force [m/s^2]
     double sideways       = 0.; ///< the same, horizontal, between walls
     double turn           = 0.; ///< largest angle of the tank [rad]
+    std::vector<std::string> lost_tracks; ///< tracked points without fluid
   };
 } // namespace seiche
 
