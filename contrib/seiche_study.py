@@ -220,7 +220,8 @@ class Study:
                           "summary.json, first, last, min, max, mean, integral, rise as in last(COLUMN), "
                           "at(COLUMN, TIME)")
         if not any(self.data.get(name) for name in ("vary", "variants", "sample")):
-            self.fail("nothing varies: one of [vary], [[variants]], [sample] is needed")
+            self.fail("nothing varies: one of [vary], [[variants]], [sample] is needed; a single run "
+                      "with error bars is one value of an entry, [vary] \"Time/Step\" = [0.01]")
 
     def check_plots(self):
         known = {*self.settings, *self.columns, *OUTCOME}

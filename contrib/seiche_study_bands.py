@@ -13,6 +13,7 @@ from seiche_study_results import read_statistics, read_summary
 
 # Columns of statistics.csv whose maximum gets a band.
 GAUGES = ("gauge ", "depth ", "run-up ", "mean level", "probe ", "force ", "moment ")
+SIGNED = ("force ", "moment ")  # and their minimum
 LOWEST_ORDER = 0.5  # that is used
 SAFETY, SAFETY_OUTSIDE = 1.25, 3.0  # factors of the GCI (Roache 1994)
 ROUND_OFF = 1e-10  # of the values
@@ -88,8 +89,10 @@ def quantities(study, row, folder):
     for column, values in read_statistics(folder).items():
         values = [v for v in values if v is not None and math.isfinite(v)]
         wanted = column.startswith(GAUGES) and " spray [" not in column
-        if wanted and f"max({column})" not in sources and values:
-            found[f"max {column}"] = max(values)
+        ends = {"max": max, "min": min} if column.startswith(SIGNED) else {"max": max}
+        for end, of in ends.items() if wanted and values else ():
+            if f"{end}({column})" not in sources:
+                found[f"{end} {column}"] = of(values)
     return {name: value for name, value in found.items() if is_number(value)}
 
 

@@ -56,7 +56,8 @@ namespace seiche
   DryEdges<dim>::obstacle_components(const unsigned int node) const
   {
     unsigned int slip = 0, other = 0;
-    for (const auto &[wall, component, sides, cell] : occupancy.walls_at(node))
+    for (const auto &[wall, component, sides, cell, is_normal] :
+         occupancy.walls_at(node))
       if (wall >= 2 * dim && (sides == 1u || sides == 2u) &&
           occupancy.locator.grid.wall_condition(wall) != WallCondition::no_slip)
         slip |= 1u << component;
@@ -73,7 +74,8 @@ namespace seiche
   {
     unsigned int result = dim;
     double       least  = std::numeric_limits<double>::max();
-    for (const auto &[wall, component, sides, cell] : occupancy.walls_at(node))
+    for (const auto &[wall, component, sides, cell, is_normal] :
+         occupancy.walls_at(node))
       if ((components >> component) & 1u)
         {
           const double speed =

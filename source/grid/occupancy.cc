@@ -24,6 +24,7 @@ namespace seiche
         if (known.wall == wall.wall && known.component == wall.component)
           {
             known.sides |= wall.sides;
+            known.is_normal |= wall.is_normal;
             if (locator.measure(wall.cell) < locator.measure(known.cell))
               known.cell = wall.cell;
             return;
@@ -150,9 +151,10 @@ namespace seiche
                     const unsigned int node =
                       full_cell_nodes[cell * n_nodes + a];
                     fixed_full[node] |= 1u << c;
-                    add_wall<dim>(walls_full[node],
-                                  {wall, c, 1u << (face % 2), cell},
-                                  locator);
+                    add_wall<dim>(
+                      walls_full[node],
+                      {wall, c, 1u << (face % 2), cell, c == face / 2},
+                      locator);
                   }
         }
     // an owner sees all cells around its nodes, a ghost's copy may not

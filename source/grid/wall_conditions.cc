@@ -21,7 +21,8 @@ namespace seiche
                                  const double       time) const
   {
     double slowest = std::numeric_limits<double>::infinity();
-    for (const auto &[wall, c, sides, cell] : occupancy.walls_at(node))
+    for (const auto &[wall, c, sides, cell, is_normal] :
+         occupancy.walls_at(node))
       if (c == component)
         {
           const double v =
@@ -37,7 +38,8 @@ namespace seiche
   WallConditions<dim>::side(const unsigned int node,
                             const unsigned int component) const
   {
-    for (const auto &[wall, c, sides, cell] : occupancy.walls_at(node))
+    for (const auto &[wall, c, sides, cell, is_normal] :
+         occupancy.walls_at(node))
       if (c == component && wall < 2 * dim && wall / 2 == component)
         return wall;
     return dealii::numbers::invalid_unsigned_int;

@@ -197,6 +197,10 @@ namespace seiche
       result.text = version_text();
     else if (example->count() > 0)
       result.text = example_text(app, example_name);
+    if (example->count() > 0 && (result.validate || result.restart))
+      refuse(app,
+             "--example prints a scene, and that is all: write it to a file "
+             "first.");
     if (result.self_test && !result.filename.empty())
       refuse(app,
              "--self-test has scenes of its own: leave out \"" +

@@ -8,6 +8,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace seiche
 {
   using namespace dealii;
@@ -200,17 +203,21 @@ namespace seiche
     shares.clear();
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
       {
-        std::array<unsigned int, dim> n_walls{}; // that fix a component
+        // that fix a component: normal to it, and along it
+        std::array<unsigned int, dim> n_normal{}, n_along{};
         for (const auto &entry : occupancy.walls_at(node))
-          ++n_walls[entry.component];
+          ++(entry.is_normal ? n_normal : n_along)[entry.component];
         for (const auto &entry : occupancy.walls_at(node))
-          for (const unsigned int f : forces_of_wall[entry.wall])
-            if (counts(forces[f],
-                       entry.wall,
-                       occupancy.node_position(node),
-                       entry.component))
-              shares.push_back(
-                {f, node, entry.component, 1. / n_walls[entry.component]});
+          {
+            const unsigned int c = entry.component;
+            if (!entry.is_normal && n_normal[c] > 0)
+              continue; // most of it is pressure
+            const unsigned int n = n_normal[c] > 0 ? n_normal[c] : n_along[c];
+            for (const unsigned int f : forces_of_wall[entry.wall])
+              if (counts(
+                    forces[f], entry.wall, occupancy.node_position(node), c))
+                shares.push_back({f, node, c, 1. / n});
+          }
       }
     generation = occupancy.generation();
   }
@@ -258,6 +265,10 @@ namespace seiche
                         view.points.communicator,
                         ArrayView<double>(sums.data(), sums.size()));
 
+    if (view.step == 0) // nothing has pushed yet
+      std::fill(sums.begin(),
+                sums.end(),
+                std::numeric_limits<double>::quiet_NaN());
     auto sum = sums.begin();
     for (const auto &force : forces)
       for (const std::string &column : force.columns())

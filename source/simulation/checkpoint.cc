@@ -138,8 +138,7 @@ namespace seiche
                                   filename,
                                   first,
                                   n_other > 1 ?
-                                    fmt::format(" (and {} more entries differ)",
-                                                n_other - 1) :
+                                    fmt::format(", and {} more", n_other - 1) :
                                     ""));
   }
 
@@ -199,7 +198,10 @@ namespace seiche
     for (const auto &entry : all)
       {
         const std::string &path = entry.first;
-        const bool         in_free_section =
+        // a column of statistics.csv
+        if (path == "Output/Mean level")
+          fixed.insert(entry);
+        const bool in_free_section =
           std::any_of(free_sections.begin(),
                       free_sections.end(),
                       [&](const std::string &section) {

@@ -114,8 +114,9 @@ namespace seiche
         problems.push_back(problem);
       }
     throw FileError("no checkpoint can be used: " + listed(problems) +
-                    "\nSet changed entries back (doc/restart.md names those "
-                    "that may change), or start anew without --restart.");
+                    "\nSet entries that differ back (doc/restart.md names "
+                    "those that may change); where a file is damaged, or "
+                    "otherwise, start anew without --restart.");
   }
 
 

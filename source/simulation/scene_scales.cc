@@ -89,6 +89,7 @@ namespace seiche
         depth_is_exact = depth_is_exact && body.ends_at_box;
         bottom         = std::min(bottom, body.bottom);
         top            = std::max(top, body.top);
+        tallest_body   = std::max(tallest_body, body.top - body.bottom);
         for (const Point<dim> &x : body.places)
           {
             const Tensor<1, dim> force = body_force.value(x, /*t=*/0.);
@@ -110,7 +111,8 @@ namespace seiche
             sideways = std::max(sideways, std::abs(sum[d]) / n);
       }
     for (const auto &track : scene.postprocessors.tracked_places())
-      if (std::all_of(bodies.begin(), bodies.end(), [&](const auto &body) {
+      if (!scene.grid.any_periodic() && // or near across a seam
+          std::all_of(bodies.begin(), bodies.end(), [&](const auto &body) {
             return is_far(*body.region, track.place, smallest_edge);
           }))
         lost_tracks.push_back(track.name);
@@ -237,13 +239,13 @@ namespace seiche
         "may help: {}",
         cells_in(step),
         entry_for_motion()));
-    const double weight = density * gravity * depth;
+    const double weight = density * gravity * tallest_body;
     if (modulus < softest * weight)
       result.push_back(fmt::format(
         "the fluid is compressed by {:.2g} % under its own weight: Fluid/Bulk "
-        "modulus should be {:.1g} Pa at least",
+        "modulus should be {:.2g} Pa at least",
         50. * weight / modulus,
-        softest * weight));
+        1.1 * softest * weight)); // more than rounding takes
     for (const std::string &name : lost_tracks)
       result.push_back("Tracked point " + name +
                        " lies outside of the fluid: the nearest material point "

@@ -33,9 +33,10 @@ namespace seiche
       {
         std::string made;
         on_first_rank(communicator, [&]() {
-          made =
-            (std::filesystem::temp_directory_path() / "seiche-XXXXXX").string();
-          if (mkdtemp(made.data()) == nullptr)
+          std::error_code error;
+          made = (std::filesystem::temp_directory_path(error) / "seiche-XXXXXX")
+                   .string();
+          if (error || mkdtemp(made.data()) == nullptr)
             throw FileError(made + ": no folder can be made; set TMPDIR to one "
                                    "that can be written to.");
         });

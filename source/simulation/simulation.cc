@@ -126,6 +126,22 @@ namespace seiche
   }
 
   template <int dim>
+  template <typename Attempt>
+  auto
+  Simulation<dim>::keeping_evidence(const Attempt &attempt)
+  {
+    try
+      {
+        return attempt();
+      }
+    catch (const NumericalError &) // on all ranks
+      {
+        write_failure();
+        throw;
+      }
+  }
+
+  template <int dim>
   bool
   Simulation<dim>::step(const std::function<bool()> &stop_is_wanted)
   {
@@ -145,7 +161,8 @@ namespace seiche
     }
     while (true)
       {
-        const std::string failure = try_step();
+        const std::string failure =
+          keeping_evidence([&]() { return try_step(); });
         if (failure.empty())
           {
             if (!time_stepper.is_accurate(step_error(), state.dt))
@@ -179,15 +196,7 @@ namespace seiche
   {
     report.warn("a step was repeated with half its size",
                 fmt::format("t = {:.6g} s: {}", state.time, failure));
-    try
-      {
-        state.dt = time_stepper.repeat(failure);
-      }
-    catch (const NumericalError &) // on all ranks
-      {
-        write_failure();
-        throw;
-      }
+    state.dt = keeping_evidence([&]() { return time_stepper.repeat(failure); });
   }
 
   template <int dim>

@@ -89,9 +89,12 @@ namespace seiche
           report.header(fmt::format(
             "the chamber between {} and {} m is closed and full of "
             "incompressible fluid: pressures in it, and what probes and "
-            "forces make of them, are relative to their mean",
+            "forces make of them, are relative to their mean{}",
             in_words(corners.first),
-            in_words(corners.second)));
+            in_words(corners.second),
+            scene.grid.any_unilateral() ?
+              "; unilateral walls hold the fluid there" :
+              ""));
         }
   }
 

@@ -623,6 +623,8 @@ COMMAND_LINE = [
     Case("--set twice after one option",
          arguments=["scene.prm", "--set", "Fluid/Density = 1",
                     "Time/Step = 1"], expect=["Time/Step = 1"]),
+    Case("--example with --validate", arguments=["--example", "dam_break"],
+         expect=["--example prints a scene"]),
     Case("--output without folder", arguments=["scene.prm", "--output"],
          expect=["--output"], validate=False),
     Case("--output with an empty name", arguments=["scene.prm", "--output", ""],

@@ -255,6 +255,9 @@ def refused(make, folder, _):
     text = make(SCENE_2D, 1, ["Fluid/Density = 900"]).run(
         parts, "--restart", code=4)
     assert text.count("another scene") == 2 and '"Fluid/Density"' in text, text
+    text = make(SCENE_2D, 1, ["Output/Mean level = true"]).run(
+        parts, "--restart", code=4)  # a column of the table
+    assert '"Output/Mean level"' in text, text
     make(SCENE_3D, 1).run_until(f"{folder}/3d", "0.1")
     shutil.copy(checkpoints(f"{folder}/3d")[-1], f"{parts}/checkpoint-000900.h5")
     text = program.run(parts, "--restart", "--set", "Time/End time = 0.26")
@@ -368,6 +371,7 @@ def hung_up(make, folder, ranks):
         os.execvp(command[0], command)
     table = pathlib.Path(parts, "statistics.csv")
     while not table.exists() or table.read_bytes().count(b"\n") < 10:
+        assert os.waitpid(child, os.WNOHANG) == (0, 0), "ended before row 10"
         time.sleep(0.01)
     os.close(terminal)
     _, status = os.waitpid(child, 0)

@@ -328,12 +328,14 @@ namespace seiche
 
     /// A wall that fixes a component of a node, with the sides of the node on
     /// which cells have faces on it: bit 0 the upper, bit 1 the lower one, in
-    /// the direction normal to the face (that of the component, unless the
-    /// wall is a no-slip one); a smallest cell among them, own or ghost.
+    /// the direction normal to the face; a smallest cell among them, own or
+    /// ghost; whether a face there is normal to the component, as all are
+    /// but those of no-slip walls.
     struct NodeWall
     {
       dealii::types::boundary_id wall;
       unsigned int               component, sides, cell;
+      bool                       is_normal;
     };
 
     /// The walls that fix components of an own node.

@@ -37,12 +37,14 @@ namespace seiche
 
   /**
    * @brief Force and moment of the fluid on walls and obstacles, from the
-   * nodal reactions of the converged step and the drag of friction.
+   * nodal reactions of the start velocity and of the converged step, and the
+   * drag of friction.
    *
-   * A component of the reaction at a node belongs to the walls that fix it,
-   * in equal parts if there are several (corners); drag is known by wall and
-   * no part of a face's normal force. Forces act at the nodes in
-   * the configuration of the forces, x_n + theta u. 2D: per metre of depth.
+   * A component of the reaction at a node belongs to the walls normal to it,
+   * in equal parts if there are several; where there are none, to those along
+   * it. Drag is known by wall and no part of a face's normal force. Forces act
+   * at the nodes in the configuration of the forces, x_n + theta u. 2D: per
+   * metre of depth.
    */
   template <int dim>
   class WallForces : public Postprocessor<dim>

@@ -95,6 +95,7 @@ namespace seiche
     bool   mass_is_exact  = true;
     double depth          = 0.; ///< H [m]
     bool   depth_is_exact = true;
+    double tallest_body   = 0.; ///< height [m]
     double gravity        = 0.; ///< g, root mean square over the fluid [m/s^2]
     double upwards        = 0.; ///< mean vertical part of the force [m/s^2]
     double sideways       = 0.; ///< the same, horizontal, between walls

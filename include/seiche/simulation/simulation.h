@@ -150,6 +150,12 @@ namespace seiche
     void
     halve_step(const std::string &failure);
 
+    /// @p attempt(), and write_failure() if that throws NumericalError (on all
+    /// ranks). Collective.
+    template <typename Attempt>
+    auto
+    keeping_evidence(const Attempt &attempt);
+
     /// The points and cells of a step that cannot be done, as they are at its
     /// start, into the folder "failure" of the output. Collective.
     void

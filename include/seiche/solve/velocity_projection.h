@@ -36,7 +36,8 @@ namespace seiche
 
     /// state.velocity_start from state.velocity_n for a step with these
     /// coefficients; ghosts too. The solution of the state is overwritten.
-    /// @p with_reactions: also state.reaction = (impulse of the walls)/dt.
+    /// @p with_reactions: also state.reaction = (impulse of the walls)/dt, from
+    /// the velocity that the walls have given to what they fix.
     /// Collective.
     LinearResult
     apply(GridState<dim>         &state,
