@@ -48,9 +48,9 @@ namespace seiche
 
     /// Check the parsed entries (names of columns and walls, expressions,
     /// reference tables, paths of verdicts). @p end_time: of the run [s];
-    /// @p other_columns: of the statistics, and @p other_numbers: paths in summary.json, beside those
-    /// that the postprocessors add; @p tank_moves: a "Tank motion" adds some.
-    /// InputError with place.
+    /// @p other_columns: of the statistics, and @p other_numbers: paths in
+    /// summary.json, beside those that the postprocessors add; @p tank_moves:
+    /// a "Tank motion" adds some. InputError with place.
     void
     check(const GridParameters<dim>      &grid,
           const double                    end_time,
