@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/wall_contact.h>
+#include <seiche/grid/wall_impulse.h>
 
 #include <algorithm>
 #include <limits>
@@ -153,12 +154,9 @@ namespace seiche
         const unsigned int i = dim * contact.node + contact.component;
         const double       v = state.velocity_start.local_element(i);
         // the projection began with the wall's velocity
-        const double stopping = state.mass.local_element(contact.node) *
-                                (v - state.velocity_n.local_element(i)) /
-                                state.dt;
-        const double force =
-          contact.inward * (state.reaction.local_element(i) + stopping) +
-          contact.pressing;
+        const double force = contact.inward * (state.reaction.local_element(i) +
+                                               wall_impulse(state, i)) +
+                             contact.pressing;
         changed = change(contact,
                          force,
                          contact.inward *

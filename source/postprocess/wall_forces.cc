@@ -31,6 +31,17 @@ namespace seiche
       return names;
     }
 
+    /// Number of the side with that name, which there is.
+    template <int dim>
+    unsigned int
+    side_called(const std::string &name)
+    {
+      unsigned int side = 0;
+      while (name != side_name<dim>(side))
+        ++side;
+      return side;
+    }
+
     /// Whether a node lies on that face of a box; "all" is any place.
     template <int dim>
     bool
@@ -43,15 +54,11 @@ namespace seiche
     {
       if (face == "all")
         return true;
-      for (unsigned int side = 0; side < 2 * dim; ++side)
-        {
-          const unsigned int d     = side / 2;
-          const double       place = side % 2 == 0 ? lower[d] : upper[d];
-          if (face == side_name<dim>(side))
-            return component == d &&
-                   std::abs(x[d] - place) <= wall_slack(domain.side_length(d));
-        }
-      return false;
+      const unsigned int side  = side_called<dim>(face);
+      const unsigned int d     = side / 2;
+      const double       place = side % 2 == 0 ? lower[d] : upper[d];
+      return component == d &&
+             std::abs(x[d] - place) <= wall_slack(domain.side_length(d));
     }
 
     /// True if that face of an obstacle lies on a side of the domain.
@@ -61,17 +68,12 @@ namespace seiche
                  const std::string                            &face,
                  const BoundingBox<dim>                       &domain)
     {
-      for (unsigned int side = 0; side < 2 * dim; ++side)
-        if (face == side_name<dim>(side))
-          {
-            const unsigned int d  = side / 2;
-            const auto         at = domain.get_boundary_points();
-            return std::abs(side % 2 == 0 ?
-                              box.lower_corner[d] - at.first[d] :
-                              box.upper_corner[d] - at.second[d]) <=
-                   wall_slack(domain.side_length(d));
-          }
-      return false;
+      const unsigned int side = side_called<dim>(face);
+      const unsigned int d    = side / 2;
+      const auto         at   = domain.get_boundary_points();
+      return std::abs(side % 2 == 0 ? box.lower_corner[d] - at.first[d] :
+                                      box.upper_corner[d] - at.second[d]) <=
+             wall_slack(domain.side_length(d));
     }
 
     /// r x F: the component along z in 2D.

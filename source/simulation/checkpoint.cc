@@ -198,18 +198,17 @@ namespace seiche
     for (const auto &entry : all)
       {
         const std::string &path = entry.first;
-        // a column of statistics.csv
-        if (path == "Output/Mean level")
-          fixed.insert(entry);
-        const bool in_free_section =
+        const bool         in_free_section =
           std::any_of(free_sections.begin(),
                       free_sections.end(),
                       [&](const std::string &section) {
                         return path.compare(0, section.size(), section) == 0;
                       });
-        if (!in_free_section &&
-            std::find(free_entries.begin(), free_entries.end(), path) ==
-              free_entries.end())
+        const bool is_free_entry =
+          std::find(free_entries.begin(), free_entries.end(), path) !=
+          free_entries.end();
+        // the mean level is a column of statistics.csv
+        if (path == "Output/Mean level" || !(in_free_section || is_free_entry))
           fixed.insert(entry);
       }
     // only with this control do the points carry accelerations

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/wall_impulse.h>
 #include <seiche/simulation/step_solver.h>
 #include <seiche/utilities/exceptions.h>
 
@@ -239,12 +240,8 @@ namespace seiche
     state.start_reaction = 0.;
     occupancy.for_each_fixed([&](const unsigned int i) {
       // walls give their velocity first, then the projection pushes
-      const double stopping = state.mass.local_element(i / dim) *
-                              (state.velocity_start.local_element(i) -
-                               state.velocity_n.local_element(i)) /
-                              state.dt;
       state.start_reaction.local_element(i) =
-        stopping +
+        wall_impulse(state, i) +
         (has_pressure && projects ? state.reaction.local_element(i) : 0.);
     });
   }

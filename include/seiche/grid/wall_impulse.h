@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_grid_wall_impulse_h
+#define seiche_grid_wall_impulse_h
+
+#include <seiche/grid/grid_state.h>
+
+namespace seiche
+{
+  /// Impulse over dt [N] that takes an own, fixed component (dim*node +
+  /// component) from v_n to v_0: what a wall does to fluid that arrives, beside
+  /// the reaction of the projection (doc/theory.md, section 8).
+  template <int dim>
+  double
+  wall_impulse(const GridState<dim> &state, const unsigned int component)
+  {
+    return state.mass.local_element(component / dim) *
+           (state.velocity_start.local_element(component) -
+            state.velocity_n.local_element(component)) /
+           state.dt;
+  }
+} // namespace seiche
+
+#endif
