@@ -172,13 +172,15 @@ def slug(text):
 
 
 class Study:
-    """A study file."""
+    """A study file, or a parameter file as the only variant."""
 
     def __init__(self, path):
         self.path = path
+        name, ending = os.path.splitext(os.path.basename(path))
         try:
             with open(path, "rb") as file:
-                self.data = tomllib.load(file)
+                self.data = ({"base": os.path.basename(path), "variants": [{"name": name}]}
+                             if ending == ".prm" else tomllib.load(file))
         except OSError as error:
             raise StudyError(f"{path}: {error.strerror}") from None
         except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
@@ -221,7 +223,7 @@ class Study:
                           "at(COLUMN, TIME)")
         if not any(self.data.get(name) for name in ("vary", "variants", "sample")):
             self.fail("nothing varies: one of [vary], [[variants]], [sample] is needed; a single run "
-                      "with error bars is one value of an entry, [vary] \"Time/Step\" = [0.01]")
+                      "with error bars is contrib/study FILE.prm --error-bars")
 
     def check_plots(self):
         known = {*self.settings, *self.columns, *OUTCOME}

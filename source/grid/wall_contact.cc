@@ -27,10 +27,12 @@ namespace seiche
   template <int dim>
   WallContact<dim>::WallContact(const WallConditions<dim> &wall_conditions,
                                 Occupancy<dim>            &grid_occupancy,
+                                const RowMass<dim>        &grid_row_mass,
                                 const BodyForce<dim>      &force,
                                 const double               fluid_density)
     : conditions(wall_conditions)
     , occupancy(grid_occupancy)
+    , row_mass(grid_row_mass)
     , body_force(force)
     , density(fluid_density)
     , exists(grid_occupancy.locator.grid.parameters.any_unilateral())
@@ -107,7 +109,8 @@ namespace seiche
                             conditions.velocity(i, state.time, state.dt));
         occupancy.set_released(contact.node,
                                contact.component,
-                               mass * velocity / state.dt >
+                               row_mass.value(state, contact.node) * velocity /
+                                   state.dt >
                                  contact.pressing + contact.margin);
       }
     occupancy.share_fixed();
@@ -154,9 +157,10 @@ namespace seiche
         const unsigned int i = dim * contact.node + contact.component;
         const double       v = state.velocity_start.local_element(i);
         // the projection began with the wall's velocity
-        const double force = contact.inward * (state.reaction.local_element(i) +
-                                               wall_impulse(state, i)) +
-                             contact.pressing;
+        const double force =
+          contact.inward * (state.reaction.local_element(i) +
+                            wall_impulse(state, row_mass, i)) +
+          contact.pressing;
         changed = change(contact,
                          force,
                          contact.inward *

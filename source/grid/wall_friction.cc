@@ -1,69 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/shape_integrals.h>
 #include <seiche/grid/wall_friction.h>
 
 #include <deal.II/base/geometry_info.h>
 
-#include <algorithm>
 #include <map>
 
 namespace seiche
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// Integrals of the shape functions of a line of unit length.
-    std::vector<double>
-    line_integrals(const unsigned int degree)
-    {
-      return degree == 1 ? std::vector<double>{1. / 2., 1. / 2.} :
-                           std::vector<double>{1. / 6., 4. / 6., 1. / 6.};
-    }
-
-    /// The same of the hats between the nodes.
-    std::vector<double>
-    hat_integrals(const unsigned int degree)
-    {
-      return degree == 1 ? std::vector<double>{1. / 2., 1. / 2.} :
-                           std::vector<double>{1. / 4., 1. / 2., 1. / 4.};
-    }
-
-    /**
-     * Add a cell's integrals over its volume, or over one of its faces, to the
-     * nodes that are unknowns.
-     */
-    template <int dim>
-    void
-    add_integrals(const Occupancy<dim>            &occupancy,
-                  const unsigned int               cell,
-                  const std::vector<double>       &line,
-                  const unsigned int               face,
-                  typename Occupancy<dim>::Vector &result)
-    {
-      constexpr unsigned int all    = numbers::invalid_unsigned_int;
-      const Tensor<1, dim>   extent = occupancy.locator.extent(cell);
-      double                 integrals[HangingNodes<dim>::max_nodes];
-      for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-        {
-          integrals[a] = 1.;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              const unsigned int place = occupancy.place(a, d);
-              if (face == all || d != face / 2)
-                integrals[a] *= extent[d] * line[place];
-              else if (place != (face % 2) * occupancy.fe.degree)
-                integrals[a] = 0.;
-            }
-        }
-      occupancy.condense(cell, integrals);
-      for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-        result.local_element(occupancy.cell_nodes(cell)[a]) += integrals[a];
-    }
-  } // namespace
-
   template <int dim>
-  WallFriction<dim>::WallFriction(const Occupancy<dim> &grid_occupancy)
+  WallFriction<dim>::WallFriction(const Occupancy<dim> &grid_occupancy,
+                                  const RowMass<dim>   &grid_row_mass)
     : occupancy(grid_occupancy)
+    , row_mass(grid_row_mass)
     , exists(grid_occupancy.locator.grid.parameters.any_friction())
   {}
 
@@ -72,42 +23,26 @@ namespace seiche
   WallFriction<dim>::reinit()
   {
     contacts.clear();
-    mass_factor.clear();
     if (!exists)
       return;
     const auto                &locator = occupancy.locator;
     const GridParameters<dim> &walls   = locator.grid.parameters;
-    const unsigned int         degree  = occupancy.fe.degree;
-    const auto                 line    = line_integrals(degree);
+    const auto                 line    = line_integrals(occupancy.fe.degree);
     const Vector               zero(occupancy.scalar_partitioner());
 
-    Vector volume(zero), hat_volume(zero);
+    Vector volume(zero);
     // the same walls on every rank
     std::map<std::pair<unsigned int, unsigned int>, Vector> areas;
     for (unsigned int wall = 0; wall < walls.n_walls(); ++wall)
       for (unsigned int d = 0; d < dim; ++d)
         if (walls.friction(wall) > 0. && (wall >= 2 * dim || wall / 2 == d))
           areas.emplace(std::make_pair(wall, d), zero);
-    const auto touches_wall = [&](const unsigned int cell) {
-      const unsigned int *nodes = occupancy.cell_nodes(cell);
-      return std::any_of(nodes,
-                         nodes + occupancy.nodes_per_cell(),
-                         [&](const unsigned int node) {
-                           return occupancy.wall_components(node) != 0;
-                         });
-    };
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        if (!touches_wall(cell))
+        if (!touches_wall(occupancy, cell))
           continue;
         add_integrals<dim>(
           occupancy, cell, line, numbers::invalid_unsigned_int, volume);
-        if (degree > 1)
-          add_integrals<dim>(occupancy,
-                             cell,
-                             hat_integrals(degree),
-                             numbers::invalid_unsigned_int,
-                             hat_volume);
         for (const unsigned int face : GeometryInfo<dim>::face_indices())
           {
             const auto area =
@@ -117,16 +52,12 @@ namespace seiche
           }
       }
     volume.compress(VectorOperation::add);
-    hat_volume.compress(VectorOperation::add);
     for (auto &[wall, area] : areas)
       area.compress(VectorOperation::add);
 
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
       {
         const double V = volume.local_element(node);
-        if (degree > 1)
-          mass_factor.push_back(V > 0. ? V / hat_volume.local_element(node) :
-                                         0.);
         for (const auto &[wall, area] : areas)
           if (V > 0. && area.local_element(node) > 0.)
             contacts.push_back({node,
@@ -180,8 +111,7 @@ namespace seiche
     v *= -way / (1. + way);
     for (unsigned int c = 0; c < dim; ++c)
       state.velocity_start.local_element(dim * node + c) += v[c];
-    const double mass = state.mass.local_element(node) *
-                        (mass_factor.empty() ? 1. : mass_factor[node]);
+    const double mass = row_mass.value(state, node);
     for (auto contact = begin; contact != end; ++contact)
       if (holds(*contact))
         state.drags.push_back(

@@ -51,7 +51,31 @@ namespace seiche
           result += ", Refinement " + criterion.name + "/Level";
       return result;
     }
+    /// Of equal ones the first, whatever rounding says.
+    void
+    keep_smaller(SmallestCell &smallest, const SmallestCell &other)
+    {
+      if (smallest.edge == 0. || other.edge < (1. - 1e-9) * smallest.edge)
+        smallest = other;
+    }
   } // namespace
+
+
+
+  template <int dim>
+  SmallestCell
+  smallest_edge(const GridParameters<dim> &grid, const unsigned int direction)
+  {
+    SmallestCell result;
+    for (const GridSegment &segment : make_segments(grid, direction))
+      {
+        const double edge =
+          std::ldexp((segment.end - segment.begin) / segment.cells,
+                     -static_cast<int>(grid.refinement.finest_level()));
+        keep_smaller(result, {edge, direction, segment.begin, segment.end, ""});
+      }
+    return result;
+  }
 
 
 
@@ -59,28 +83,19 @@ namespace seiche
   SmallestCell
   smallest_cell(const GridParameters<dim> &grid)
   {
-    SmallestCell result;
-    for (unsigned int d = 0; d < dim; ++d)
-      for (const GridSegment &segment : make_segments(grid, d))
-        {
-          const double edge =
-            std::ldexp((segment.end - segment.begin) / segment.cells,
-                       -static_cast<int>(grid.refinement.finest_level()));
-          // of equal ones the first, whatever rounding says
-          if (result.edge == 0. || edge < (1. - 1e-9) * result.edge)
-            {
-              result.edge      = edge;
-              result.direction = d;
-              result.begin     = segment.begin;
-              result.end       = segment.end;
-            }
-        }
+    SmallestCell result = smallest_edge(grid, 0);
+    for (unsigned int d = 1; d < dim; ++d)
+      keep_smaller(result, smallest_edge(grid, d));
     result.cause = cause_of(grid, result);
     return result;
   }
 
 
 
+  template SmallestCell
+  smallest_edge<2>(const GridParameters<2> &, const unsigned int);
+  template SmallestCell
+  smallest_edge<3>(const GridParameters<3> &, const unsigned int);
   template SmallestCell
   smallest_cell<2>(const GridParameters<2> &);
   template SmallestCell

@@ -246,6 +246,15 @@ namespace seiche
 
 
   void
+  RunReport::note(const std::string &text, const std::string &detail)
+  {
+    if (speaks && notes.insert(text).second)
+      print(text + (detail.empty() ? "" : " (" + detail + ")"));
+  }
+
+
+
+  void
   RunReport::warn(const std::string &text, const std::string &detail)
   {
     if (!speaks)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/scene/largest_wall_speed.h>
 #include <seiche/scene/sample_times.h>
+#include <seiche/scene/smallest_cell.h>
 #include <seiche/simulation/scene_scales.h>
 
 #include <fmt/format.h>
@@ -74,6 +75,7 @@ namespace seiche
     , is_fixed(!scene.time.is_controlled())
     , end_time(scene.time.end_time)
     , smallest_cell(smallest_edge)
+    , lowest_cell(seiche::smallest_edge(scene.grid, dim - 1).edge)
   {
     double         bottom = std::numeric_limits<double>::max();
     double         top    = std::numeric_limits<double>::lowest();
@@ -186,7 +188,7 @@ namespace seiche
                   depth_is_exact ? "" : "about ",
                   depth,
                   digits,
-                  depth / smallest_cell);
+                  depth / lowest_cell);
     if (gravity > 0.)
       result += fmt::format("sqrt(g H) {:.{}g} m/s, rho g H {:.{}g} Pa",
                             wave_speed(),
@@ -258,8 +260,7 @@ namespace seiche
   std::string
   SceneScales::doubt_of_sound() const
   {
-    const double sound = std::sqrt(modulus / density);
-    const double cells = sound * step / smallest_cell;
+    const double cells = cells_of_sound();
     if (is_mixed || cells <= stiffest)
       return "";
     const double soft = density * std::pow(stiffest * smallest_cell / step, 2);
@@ -271,7 +272,7 @@ namespace seiche
       stiffest,
       soft > softest * density * gravity * depth ?
         fmt::format("Fluid/Bulk modulus = {:.2g}", soft) :
-        fmt::format("Time/Step = {:.2g}", stiffest * smallest_cell / sound));
+        fmt::format("Time/Step = {:.2g}", step * stiffest / cells));
   }
 
   template SceneScales::SceneScales(const Scene<2> &,

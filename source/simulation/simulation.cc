@@ -76,6 +76,7 @@ namespace seiche
                   report,
                   timer)
     , time_stepper(scene.time, step_advice(scene, planned.plan.scales))
+    , chamber_notices(scene, planned.plan.scales, report)
     , expected_step(planned.plan.scales.expected_step())
     , statistics(directory + "/" + result_names::statistics,
                  Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -239,6 +240,7 @@ namespace seiche
       occupancy.update(points);
       fill.update(points);
     }
+    chamber_notices.update(fill.closed_chambers(), time_stepper.time());
     if (time_stepper.steps() > 0 && !points_are_controlled)
       {
         const TimerTree::Scope scope(timer, "point control");

@@ -9,20 +9,6 @@ namespace seiche
 {
   using namespace dealii;
 
-  namespace
-  {
-    /// "0; 0.5".
-    template <int dim>
-    std::string
-    in_words(const Point<dim> &x)
-    {
-      std::string text = fmt::format("{:.6g}", x[0]);
-      for (unsigned int d = 1; d < dim; ++d)
-        text += fmt::format("; {:.6g}", x[d]);
-      return text;
-    }
-  } // namespace
-
   template <int dim>
   void
   Simulation<dim>::begin()
@@ -50,7 +36,6 @@ namespace seiche
         return;
       }
     (void)find_material(); // bodies hold points
-    announce_full_chambers();
     prepare_start();
     state.velocity_np1 = state.velocity_n; // what the first frame shows
     state.velocity_np1.update_ghost_values();
@@ -75,30 +60,6 @@ namespace seiche
   }
 
   template <int dim>
-  void
-  Simulation<dim>::announce_full_chambers()
-  {
-    const ClosedChambers<dim> *closed = step_solver.closed_chambers();
-    if (closed == nullptr)
-      return;
-    const Chambers<dim> &chambers = closed->chambers;
-    for (unsigned int chamber = 0; chamber < chambers.size(); ++chamber)
-      if (closed->is_closed(chamber))
-        {
-          const auto corners = chambers.box(chamber).get_boundary_points();
-          report.header(fmt::format(
-            "the chamber between {} and {} m is closed and full of "
-            "incompressible fluid: pressures in it, and what probes and "
-            "forces make of them, are relative to their mean{}",
-            in_words(corners.first),
-            in_words(corners.second),
-            scene.grid.any_unilateral() ?
-              "; unilateral walls hold the fluid there" :
-              ""));
-        }
-  }
-
-  template <int dim>
   bool
   Simulation<dim>::carries_acceleration() const
   {
@@ -119,10 +80,6 @@ namespace seiche
   Simulation<2>::begin();
   template void
   Simulation<3>::begin();
-  template void
-  Simulation<2>::announce_full_chambers();
-  template void
-  Simulation<3>::announce_full_chambers();
   template void
   Simulation<2>::prepare_start();
   template void

@@ -59,8 +59,13 @@ namespace seiche
     , wall_velocity(scene.grid, scene.input, scene.time.end_time)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
     , dry_edges(occupancy)
-    , wall_friction(occupancy)
-    , wall_contact(wall_conditions, occupancy, body_force, scene.fluid.density)
+    , row_mass(occupancy)
+    , wall_friction(occupancy, row_mass)
+    , wall_contact(wall_conditions,
+                   occupancy,
+                   row_mass,
+                   body_force,
+                   scene.fluid.density)
     , matrix(occupancy, has_pressure)
     , assembler(formulation,
                 *quadrature,
@@ -89,6 +94,7 @@ namespace seiche
   {
     occupancy.set_linear(fill.linear_cells());
     matrix.reinit(fill);
+    row_mass.reinit();
     if (!time_scheme.needs_acceleration())
       {
         dry_edges.reinit();
@@ -241,7 +247,7 @@ namespace seiche
     occupancy.for_each_fixed([&](const unsigned int i) {
       // walls give their velocity first, then the projection pushes
       state.start_reaction.local_element(i) =
-        wall_impulse(state, i) +
+        wall_impulse(state, row_mass, i) +
         (has_pressure && projects ? state.reaction.local_element(i) : 0.);
     });
   }

@@ -283,6 +283,16 @@ def state(seiche, folder):
     assert len(named) == 5 and named <= fields, (named, fields)
 
 
+def refused(seiche, folder):
+    """What cannot be drawn ends with code 2 and the reason."""
+    for script in ("plot_run", "pictures"):
+        assert "no directory" in call(script, folder + "/none", code=2)
+    simulate(seiche, folder, "dam_break.prm", 0.02, 0)
+    assert "Output/Interval" in call("pictures", folder, code=2)
+    assert "Output/Interval" in call("plot_run", folder, "-o", folder + "/x.png", code=2)
+    call("plot_run", folder)
+
+
 def download(seiche, folder):
     """PyVista is not fetched unasked, nor with another answer than yes."""
     seiche_pyvista.ENVIRONMENT = os.path.join(folder, "pyvista")

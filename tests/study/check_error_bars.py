@@ -152,6 +152,9 @@ def tables(seiche, folder):
     assert not pathlib.Path(folder, "error_bars.csv").exists()
     text = run(seiche, f"{folder}/new", "--error-bars", "--dry-run", "--only", "h=0.1", file=other)
     assert "7 variants, 7 to be run" in text, text  # three sizes, four replicas
+    scene = ROOT / "prm/studies/column_2d.prm"  # a parameter file is one variant
+    text = run(seiche, f"{folder}/one", "--error-bars", "--dry-run", file=scene)
+    assert "7 variants, 7 to be run" in text and "column_2d_" in text, text
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 #define seiche_grid_wall_contact_h
 
 #include <seiche/grid/closed_chambers.h>
+#include <seiche/grid/row_mass.h>
 #include <seiche/grid/wall_conditions.h>
 #include <seiche/scene/body_force.h>
 
@@ -37,6 +38,7 @@ namespace seiche
     /// @p density [kg/m^3]. References must outlive the object.
     WallContact(const WallConditions<dim> &conditions,
                 Occupancy<dim>            &occupancy,
+                const RowMass<dim>        &row_mass,
                 const BodyForce<dim>      &body_force,
                 const double               density);
 
@@ -104,6 +106,7 @@ namespace seiche
 
     const WallConditions<dim> &conditions;
     Occupancy<dim>            &occupancy;
+    const RowMass<dim>        &row_mass;
     const BodyForce<dim>      &body_force;
     const double               density;
     const bool                 exists;

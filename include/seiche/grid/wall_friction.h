@@ -2,7 +2,7 @@
 #ifndef seiche_grid_wall_friction_h
 #define seiche_grid_wall_friction_h
 
-#include <seiche/grid/grid_state.h>
+#include <seiche/grid/row_mass.h>
 
 #include <vector>
 
@@ -24,8 +24,8 @@ namespace seiche
   class WallFriction
   {
   public:
-    /// The reference must outlive the object.
-    WallFriction(const Occupancy<dim> &occupancy);
+    /// The references must outlive the object.
+    WallFriction(const Occupancy<dim> &occupancy, const RowMass<dim> &row_mass);
 
     /// After a change of the occupied cells: find their faces at rough walls.
     /// Collective.
@@ -55,10 +55,8 @@ namespace seiche
 
     const Occupancy<dim> &occupancy;
     const bool            exists;
+    const RowMass<dim>   &row_mass;
     std::vector<Contact>  contacts; ///< by node
-    /// Integral of the shape function over that of the hat with which
-    /// GridState::mass is summed, by own node; empty if both are the same.
-    std::vector<double> mass_factor;
   };
 } // namespace seiche
 

@@ -2,7 +2,7 @@
 #ifndef seiche_grid_wall_impulse_h
 #define seiche_grid_wall_impulse_h
 
-#include <seiche/grid/grid_state.h>
+#include <seiche/grid/row_mass.h>
 
 namespace seiche
 {
@@ -11,9 +11,11 @@ namespace seiche
   /// the reaction of the projection (doc/theory.md, section 8).
   template <int dim>
   double
-  wall_impulse(const GridState<dim> &state, const unsigned int component)
+  wall_impulse(const GridState<dim> &state,
+               const RowMass<dim>   &row_mass,
+               const unsigned int    component)
   {
-    return state.mass.local_element(component / dim) *
+    return row_mass.value(state, component / dim) *
            (state.velocity_start.local_element(component) -
             state.velocity_n.local_element(component)) /
            state.dt;

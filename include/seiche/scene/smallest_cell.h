@@ -17,6 +17,11 @@ namespace seiche
     std::string  cause;                ///< paths of the entries that made it
   };
 
+  /// Of the edges in one direction, without the cause. Local.
+  template <int dim>
+  SmallestCell
+  smallest_edge(const GridParameters<dim> &grid, const unsigned int direction);
+
   /// Local.
   template <int dim>
   SmallestCell

@@ -10,6 +10,7 @@
 #include <mpi.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,6 +78,11 @@ namespace seiche
     void
     warn(const std::string &text, const std::string &detail = "");
 
+    /// Print what a user would want to know and what is no warning: a text is
+    /// printed once, @p detail as in warn().
+    void
+    note(const std::string &text, const std::string &detail = "");
+
     /// End the progress line and note the reason of a failure in run.log.
     /// Never throws.
     void
@@ -126,6 +132,7 @@ namespace seiche
     std::string  early_log; // before open_files()
 
     std::vector<std::pair<std::string, unsigned int>> warnings;
+    std::set<std::string>                             notes;
 
     std::size_t progress_width = 0;   // of the line on the terminal
     double      last_shown     = -1.; // wall seconds

@@ -5,6 +5,7 @@
 #include <seiche/scene/scene_map.h>
 #include <seiche/simulation/scene.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,13 @@ namespace seiche
     double
     expected_step() const;
 
+    /// Cells that sound crosses in a step.
+    double
+    cells_of_sound() const
+    {
+      return std::sqrt(modulus / density) * step / smallest_cell;
+    }
+
   private:
     double
     wave_speed() const;
@@ -90,6 +98,7 @@ namespace seiche
     bool   is_fixed      = true; ///< or the largest step
     double end_time      = 0.;   ///< [s]
     double smallest_cell = 0.;   ///< edge [m]
+    double lowest_cell   = 0.;   ///< smallest vertical edge [m]
 
     double mass           = 0.; ///< [kg]
     bool   mass_is_exact  = true;

@@ -6,6 +6,7 @@
 #include <seiche/grid/mesh_adaptation.h>
 #include <seiche/grid/point_control.h>
 #include <seiche/simulation/accepted_failures.h>
+#include <seiche/simulation/chamber_notices.h>
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/earlier_results.h>
@@ -130,10 +131,6 @@ namespace seiche
     double
     step_error() const;
 
-    /// Say where the pressure is known up to a constant only. Collective.
-    void
-    announce_full_chambers();
-
     /// Velocity (and acceleration, pressure) that fit the constraint.
     void
     prepare_start();
@@ -221,6 +218,7 @@ namespace seiche
     GridState<dim>                          state;
     StepSolver<dim>                         step_solver;
     TimeStepper                             time_stepper;
+    ChamberNotices<dim>                     chamber_notices;
     const double     expected_step; ///< of SceneScales [s]
     AcceptedFailures accepted_failures;
     StatisticsTable  statistics;

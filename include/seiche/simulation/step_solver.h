@@ -72,14 +72,6 @@ namespace seiche
       return wall_motion.any() || wall_velocity.any();
     }
 
-    /// Chambers in which the pressure is known up to a constant only; null if
-    /// there are none.
-    const ClosedChambers<dim> *
-    closed_chambers() const
-    {
-      return assembler.closed_chambers();
-    }
-
     /// Iterations of the last attempt.
     const NewtonResult &
     effort() const
@@ -147,6 +139,7 @@ namespace seiche
     const WallVelocity<dim>                wall_velocity;
     const WallConditions<dim>              wall_conditions;
     DryEdges<dim>                          dry_edges;
+    RowMass<dim>                           row_mass;
     WallFriction<dim>                      wall_friction;
     WallContact<dim>                       wall_contact;
     BlockMatrix<dim>                       matrix;

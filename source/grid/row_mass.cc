@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/row_mass.h>
+#include <seiche/grid/shape_integrals.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  RowMass<dim>::RowMass(const Occupancy<dim> &grid_occupancy)
+    : occupancy(grid_occupancy)
+  {}
+
+  template <int dim>
+  void
+  RowMass<dim>::reinit()
+  {
+    const unsigned int degree = occupancy.fe.degree;
+    if (degree == 1)
+      return;
+    const auto line = line_integrals(degree), hats = hat_integrals(degree);
+    typename Occupancy<dim>::Vector of_shapes(occupancy.scalar_partitioner()),
+      of_hats(of_shapes);
+    for (const unsigned int cell : occupancy.occupied_cells())
+      if (touches_wall(occupancy, cell))
+        {
+          constexpr unsigned int volume = numbers::invalid_unsigned_int;
+          add_integrals(occupancy, cell, line, volume, of_shapes);
+          add_integrals(occupancy, cell, hats, volume, of_hats);
+        }
+    of_shapes.compress(VectorOperation::add);
+    of_hats.compress(VectorOperation::add);
+    factor.assign(occupancy.n_own_nodes(), 1.);
+    for (unsigned int node = 0; node < factor.size(); ++node)
+      if (of_hats.local_element(node) > 0.)
+        factor[node] =
+          of_shapes.local_element(node) / of_hats.local_element(node);
+  }
+
+  template class RowMass<2>;
+  template class RowMass<3>;
+} // namespace seiche
