@@ -162,7 +162,7 @@ def flat(seiche, folder):
     call("plot_run", folder, "-o", single, "--times", "0.3", "--field", "plain")
     pixels = picture(single)
     assert 0.1 < share_near(pixels, seiche_stage.WATER) < 0.6, share_near(pixels, seiche_stage.WATER)
-    text = call("plot_run", folder, "-o", f"{folder}/film.avi", "--film", code=1)
+    text = call("plot_run", folder, "-o", f"{folder}/film.avi", "--film", code=2)
     assert "a film is a .mp4 or a .gif" in text, text
     shutil.rmtree(f"{folder}/pictures")
     made = call("pictures", folder, "--times", "0.5")

@@ -154,7 +154,7 @@ def tables(seiche, folder):
     assert "7 variants, 7 to be run" in text, text  # three sizes, four replicas
     scene = ROOT / "prm/studies/column_2d.prm"  # a parameter file is one variant
     text = run(seiche, f"{folder}/one", "--error-bars", "--dry-run", file=scene)
-    assert "7 variants, 7 to be run" in text and "column_2d_" in text, text
+    assert "7 variants, 7 to be run" in text, text
 
 
 if __name__ == "__main__":
