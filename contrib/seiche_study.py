@@ -179,7 +179,8 @@ class Study:
         name, ending = os.path.splitext(os.path.basename(path))
         try:
             with open(path, "rb") as file:
-                self.data = ({"base": os.path.basename(path), "variants": [{"name": name}]}
+                self.data = ({"base": os.path.basename(path), "variants": [{"name": name}],
+                              "timeout": 86400}
                              if ending == ".prm" else tomllib.load(file))
         except OSError as error:
             raise StudyError(f"{path}: {error.strerror}") from None

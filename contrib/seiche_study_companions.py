@@ -40,7 +40,8 @@ def scaled(value, factor, where):
         if factor < 1 and re.fullmatch(r"\s*\d+\s*", text):
             if number != int(number) or number < 1:
                 raise StudyError(f"{where} = {text_of(value)}: cells {1 / factor:g} times as large "
-                                 f"need whole multiples of {1 / factor:g} here")
+                                 f"need whole multiples of {1 / factor:g} here; a study file with "
+                                 "a variable for the size and 'scale' may say otherwise")
             number = int(number)
         results.append(number)
     return results[0] if len(results) == 1 else ", ".join(map(text_of, results))
@@ -82,8 +83,8 @@ class ErrorBars:
             if name not in known:
                 raise StudyError(f"{self.study.path}: error_bars: scale: there is no setting {name!r}")
         if not self.scale and not any(name in scale for name in SIZES):
-            raise StudyError(f"{variant.base}: no entry sets the size of the cells; error_bars: "
-                             "'scale' has to say what does")
+            raise StudyError(f"{variant.base}: no entry sets the size of the cells; "
+                             "'scale' in [error_bars] of a study file has to say what does")
         return {name: (power, known[name]) for name, power in scale.items()}
 
     def companions(self, variant):

@@ -26,7 +26,7 @@ except ImportError as error:
     print("contrib/study: no pictures: %s (Debian: python3-matplotlib)" % error, file=sys.stderr)
     sys.exit(0)
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from seiche_study import Study, StudyError, evaluate, slug, text_of
 from seiche_study_results import fitted_order
 

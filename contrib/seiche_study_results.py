@@ -32,7 +32,7 @@ def cause(outcome):
     if code == 3:
         head = message.split(", also at the smallest step")[0]
         return next((name for pattern, name in CAUSES if re.search(pattern, head)), "numerical")
-    names = {0: "", 1: "internal error", 2: "input", 4: "files", 5: "stopped"}
+    names = {0: "", 1: "internal error", 2: "input", 4: "files", 5: "stopped", 6: "verdict"}
     return names.get(code, f"exit code {code}")
 
 

@@ -7,8 +7,9 @@ namespace seiche
   using namespace dealii;
 
   template <int dim>
-  RowMass<dim>::RowMass(const Occupancy<dim> &grid_occupancy)
+  RowMass<dim>::RowMass(const Occupancy<dim> &grid_occupancy, const bool needed)
     : occupancy(grid_occupancy)
+    , is_needed(needed)
   {}
 
   template <int dim>
@@ -16,9 +17,9 @@ namespace seiche
   RowMass<dim>::reinit()
   {
     const unsigned int degree = occupancy.fe.degree;
-    if (degree == 1)
+    if (degree == 1 || !is_needed)
       return;
-    const auto line = line_integrals(degree), hats = hat_integrals(degree);
+    const auto &line = line_integrals(degree), &hats = hat_integrals(degree);
     typename Occupancy<dim>::Vector of_shapes(occupancy.scalar_partitioner()),
       of_hats(of_shapes);
     for (const unsigned int cell : occupancy.occupied_cells())
@@ -31,8 +32,10 @@ namespace seiche
     of_shapes.compress(VectorOperation::add);
     of_hats.compress(VectorOperation::add);
     factor.assign(occupancy.n_own_nodes(), 1.);
+    // masters of hanging nodes may have sums without a meaning
     for (unsigned int node = 0; node < factor.size(); ++node)
-      if (of_hats.local_element(node) > 0.)
+      if (of_hats.local_element(node) > 0. &&
+          of_shapes.local_element(node) > 0.)
         factor[node] =
           of_shapes.local_element(node) / of_hats.local_element(node);
   }

@@ -7,18 +7,22 @@ namespace seiche
 {
   using namespace dealii;
 
-  std::vector<double>
+  const std::vector<double> &
   line_integrals(const unsigned int degree)
   {
-    return degree == 1 ? std::vector<double>{1. / 2., 1. / 2.} :
-                         std::vector<double>{1. / 6., 4. / 6., 1. / 6.};
+    static const std::vector<double> linear    = {1. / 2., 1. / 2.},
+                                     quadratic = {1. / 6., 4. / 6., 1. / 6.};
+    AssertIndexRange(degree, 3);
+    return degree == 1 ? linear : quadratic;
   }
 
-  std::vector<double>
+  const std::vector<double> &
   hat_integrals(const unsigned int degree)
   {
-    return degree == 1 ? std::vector<double>{1. / 2., 1. / 2.} :
-                         std::vector<double>{1. / 4., 1. / 2., 1. / 4.};
+    static const std::vector<double> one = {1. / 2., 1. / 2.},
+                                     two = {1. / 4., 1. / 2., 1. / 4.};
+    AssertIndexRange(degree, 3);
+    return degree == 1 ? one : two;
   }
 
   template <int dim>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/shape_integrals.h>
 #include <seiche/grid/wall_contact.h>
 #include <seiche/grid/wall_impulse.h>
 
@@ -49,9 +50,9 @@ namespace seiche
         {
           bool unilateral = ((occupancy.dry_components(node) >> c) & 1u) == 0 &&
                             (closed == nullptr || !closed->holds_node(node));
-          unsigned int sides   = 0;
-          double       extent  = std::numeric_limits<double>::max();
-          double       spacing = extent;
+          unsigned int sides  = 0;
+          double       extent = std::numeric_limits<double>::max();
+          double       width  = extent;
           for (const auto &entry : occupancy.walls_at(node))
             if (entry.component == c)
               {
@@ -59,17 +60,19 @@ namespace seiche
                   unilateral && locator.grid.wall_condition(entry.wall) ==
                                   WallCondition::unilateral;
                 sides |= entry.sides;
-                extent  = std::min(extent, locator.extent(entry.cell)[c]);
-                spacing = std::min(spacing,
-                                   locator.extent(entry.cell)[c] /
-                                     occupancy.degree(entry.cell));
+                const double edge = locator.extent(entry.cell)[c];
+                extent            = std::min(extent, edge);
+                width =
+                  std::min(width,
+                           line_integrals(occupancy.degree(entry.cell))[0] *
+                             edge);
               }
           if (unilateral && (sides == 1u || sides == 2u))
             contacts.push_back({node,
                                 c,
                                 sides == 1u ? 1. : -1.,
                                 extent,
-                                spacing,
+                                width,
                                 /*pressing=*/0.,
                                 /*margin=*/0.,
                                 /*releases=*/0});
@@ -87,7 +90,7 @@ namespace seiche
     collect(closed);
     for (Contact &contact : contacts)
       {
-        const double mass  = state.mass.local_element(contact.node);
+        const double mass  = row_mass.value(state, contact.node);
         double       speed = 0.;
         for (unsigned int c = 0; c < dim; ++c)
           speed +=
@@ -97,11 +100,9 @@ namespace seiche
           (std::sqrt(speed) / state.dt +
            body_force.value(occupancy.node_position(contact.node), state.time)
              .norm());
-        // a hat at a wall: its area is twice its volume, mass over density,
-        // over the way to the next node
         contact.pressing =
           std::max(0., state.pressure_guess.local_element(contact.node)) *
-          mass / density * 2. / contact.spacing;
+          mass / density / contact.width;
         contact.releases     = 0;
         const unsigned int i = dim * contact.node + contact.component;
         const double       velocity =
@@ -109,8 +110,7 @@ namespace seiche
                             conditions.velocity(i, state.time, state.dt));
         occupancy.set_released(contact.node,
                                contact.component,
-                               row_mass.value(state, contact.node) * velocity /
-                                   state.dt >
+                               mass * velocity / state.dt >
                                  contact.pressing + contact.margin);
       }
     occupancy.share_fixed();

@@ -27,7 +27,7 @@ namespace seiche
       return;
     const auto                &locator = occupancy.locator;
     const GridParameters<dim> &walls   = locator.grid.parameters;
-    const auto                 line    = line_integrals(occupancy.fe.degree);
+    const auto                &line    = line_integrals(occupancy.fe.degree);
     const Vector               zero(occupancy.scalar_partitioner());
 
     Vector volume(zero);

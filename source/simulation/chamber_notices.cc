@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace seiche
 {
   using namespace dealii;
@@ -10,9 +12,8 @@ namespace seiche
   namespace
   {
     /// Cells that sound may cross in a step where each point keeps its own
-    /// volume: without a free surface pressures that the cells do not see grow
-    /// from the round-off of Newton's iteration (doc/limits.md).
-    constexpr double stiffest = 100.;
+    /// volume and nothing gives way (doc/methods.md, "Stability").
+    constexpr double most_cells_of_sound = 100.;
 
     /// "0; 0.5".
     template <int dim>
@@ -27,51 +28,85 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  ChamberNotices<dim>::ChamberNotices(const Scene<dim>  &run_scene,
-                                      const SceneScales &scales,
-                                      RunReport         &run_report)
+  ChamberNotices<dim>::ChamberNotices(const Scene<dim> &run_scene,
+                                      RunReport        &run_report)
     : scene(run_scene)
     , report(run_report)
-    , sound(scales.cells_of_sound())
   {}
 
   template <int dim>
   void
   ChamberNotices<dim>::update(const ClosedChambers<dim> &closed,
-                              const double               time)
+                              const double               time,
+                              const double               dt,
+                              const double               smallest_extent)
   {
     if (!closed.any())
       return;
-    known.resize(closed.chambers.size(), 0);
-    for (unsigned int chamber = 0; chamber < known.size(); ++chamber)
+    told.resize(closed.chambers.size(), 0);
+    for (unsigned int chamber = 0; chamber < told.size(); ++chamber)
+      if (!told[chamber] && closed.is_closed(chamber))
+        {
+          told[chamber] = 1;
+          const auto corners =
+            closed.chambers.box(chamber).get_boundary_points();
+          const std::string it =
+            fmt::format("the chamber between {} and {} m is closed and full",
+                        in_words(corners.first),
+                        in_words(corners.second));
+          if (scene.fluid.is_incompressible())
+            tell_of_level(it, time);
+          else
+            warn_of_compression(it, time, dt / smallest_extent);
+        }
+  }
+
+  template <int dim>
+  void
+  ChamberNotices<dim>::tell_of_level(const std::string &it, const double time)
+  {
+    report.note(it +
+                  " of incompressible fluid: pressures in it, and what probes "
+                  "and forces make of them, are relative to their mean" +
+                  (scene.grid.any_unilateral() ?
+                     "; unilateral walls hold the fluid there" :
+                     ""),
+                time > 0. ? fmt::format("t = {:.6g} s", time) : "");
+  }
+
+  template <int dim>
+  void
+  ChamberNotices<dim>::warn_of_compression(const std::string &it,
+                                           const double       time,
+                                           const double       dt_over_extent)
+  {
+    const FluidParameters &fluid = scene.fluid;
+    if (time > 0.)
       {
-        if (known[chamber] || !closed.is_closed(chamber))
-          continue;
-        known[chamber]     = 1;
-        const auto corners = closed.chambers.box(chamber).get_boundary_points();
-        const std::string it   = fmt::format("the chamber between {} and {} m",
-                                           in_words(corners.first),
-                                           in_words(corners.second));
-        const std::string when = fmt::format("t = {:.6g} s", time);
-        if (scene.fluid.is_incompressible())
-          report.note(it +
-                        " is closed and full of incompressible fluid: "
-                        "pressures in it, and what probes and forces make of "
-                        "them, are relative to their mean" +
-                        (scene.grid.any_unilateral() ?
-                           "; unilateral walls hold the fluid there" :
-                           ""),
-                      time > 0. ? when : "");
-        else if (!scene.uses_mean_volume() && sound > stiffest)
-          report.warn(
-            it + fmt::format(" is closed and full, and sound crosses {:.3g} "
-                             "cells in a step: above {:.0f} pressures may "
-                             "drift there; what may help: Volume/Update = "
-                             "nodal mean",
-                             sound,
-                             stiffest),
-            when);
+        report.warn(
+          it + " now: the air that it still holds, up to half a cell under its "
+               "lid, counts as compression, and pressures may be wrong by "
+               "factors; what may help: smaller cells, or room above the fluid",
+          fmt::format("t = {:.6g} s", time));
+        return;
       }
+    const double cells =
+      std::sqrt(fluid.bulk_modulus / fluid.density) * dt_over_extent;
+    if (scene.formulation.is_mixed() && !scene.uses_mean_volume() &&
+        cells > most_cells_of_sound)
+      report.warn(
+        it + fmt::format(", and sound crosses more than {:.0f} cells in a "
+                         "step: pressures may drift there; what may help: "
+                         "Volume/Update = nodal mean",
+                         most_cells_of_sound),
+        fmt::format("{:.3g} cells", cells));
+  }
+
+  template <int dim>
+  void
+  ChamberNotices<dim>::save_or_load(StateArchive &archive)
+  {
+    archive("told of full chambers", told);
   }
 
   template class ChamberNotices<2>;

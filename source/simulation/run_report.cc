@@ -248,7 +248,7 @@ namespace seiche
   void
   RunReport::note(const std::string &text, const std::string &detail)
   {
-    if (speaks && notes.insert(text).second)
+    if (speaks)
       print(text + (detail.empty() ? "" : " (" + detail + ")"));
   }
 

@@ -16,10 +16,11 @@ namespace seiche
 
   namespace
   {
-    constexpr double hardly_meant = 20.;               // speed over sqrt(g H)
-    constexpr double mostly       = 0.7;               // of the body force
-    constexpr double lying        = 0.05;              // the same
-    constexpr double hardly_turns = 0.6 * numbers::PI; // of a tank [rad]
+    constexpr double hardly_meant       = 20.;  // speed over sqrt(g H)
+    constexpr double mostly             = 0.7;  // of the body force
+    constexpr double lying              = 0.05; // the same
+    constexpr double round_off_of_force = 1e-9; // [m/s^2]
+    constexpr double hardly_turns       = 0.6 * numbers::PI; // of a tank [rad]
 
     // cells in a step, where round-off of volumes or of viscous stresses is
     // all that is left (measured: Newton stalls below 1e-9 of the latter)
@@ -62,7 +63,7 @@ namespace seiche
                            const std::vector<FluidBody<dim>>   &bodies,
                            const std::vector<SampledBody<dim>> &samples,
                            const BodyForce<dim>                &body_force,
-                           const double                         smallest_edge)
+                           const double                         finest_edge)
     : walls(largest_wall_speed(scene.grid,
                                body_force.tank,
                                scene.input,
@@ -74,8 +75,8 @@ namespace seiche
     , step(scene.time.step)
     , is_fixed(!scene.time.is_controlled())
     , end_time(scene.time.end_time)
-    , smallest_cell(smallest_edge)
-    , lowest_cell(seiche::smallest_edge(scene.grid, dim - 1).edge)
+    , smallest_cell(finest_edge)
+    , smallest_height(smallest_edge(scene.grid, dim - 1).edge)
   {
     double         bottom = std::numeric_limits<double>::max();
     double         top    = std::numeric_limits<double>::lowest();
@@ -94,7 +95,9 @@ namespace seiche
         tallest_body   = std::max(tallest_body, body.top - body.bottom);
         for (const Point<dim> &x : body.places)
           {
-            const Tensor<1, dim> force = body_force.value(x, /*t=*/0.);
+            Tensor<1, dim> force = body_force.value(x, /*t=*/0.);
+            if (force.norm() < round_off_of_force)
+              force.clear(); // a tank that falls
             square += body.resolution * force.norm_square();
             sum += body.resolution * force;
             n += body.resolution;
@@ -115,7 +118,7 @@ namespace seiche
     for (const auto &track : scene.postprocessors.tracked_places())
       if (!scene.grid.any_periodic() && // or near across a seam
           std::all_of(bodies.begin(), bodies.end(), [&](const auto &body) {
-            return is_far(*body.region, track.place, smallest_edge);
+            return is_far(*body.region, track.place, finest_edge);
           }))
         lost_tracks.push_back(track.name);
     if (body_force.tank.any())
@@ -188,7 +191,7 @@ namespace seiche
                   depth_is_exact ? "" : "about ",
                   depth,
                   digits,
-                  depth / lowest_cell);
+                  depth / smallest_height);
     if (gravity > 0.)
       result += fmt::format("sqrt(g H) {:.{}g} m/s, rho g H {:.{}g} Pa",
                             wave_speed(),
@@ -260,7 +263,7 @@ namespace seiche
   std::string
   SceneScales::doubt_of_sound() const
   {
-    const double cells = cells_of_sound();
+    const double cells = std::sqrt(modulus / density) * step / smallest_cell;
     if (is_mixed || cells <= stiffest)
       return "";
     const double soft = density * std::pow(stiffest * smallest_cell / step, 2);

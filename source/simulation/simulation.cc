@@ -76,7 +76,7 @@ namespace seiche
                   report,
                   timer)
     , time_stepper(scene.time, step_advice(scene, planned.plan.scales))
-    , chamber_notices(scene, planned.plan.scales, report)
+    , chamber_notices(scene, report)
     , expected_step(planned.plan.scales.expected_step())
     , statistics(directory + "/" + result_names::statistics,
                  Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -160,6 +160,10 @@ namespace seiche
       speed    = speed_per_cell();
       state.dt = time_stepper.next_step(speed);
     }
+    chamber_notices.update(fill.closed_chambers(),
+                           state.time,
+                           state.dt,
+                           occupancy.smallest_extent());
     while (true)
       {
         const std::string failure =
@@ -240,7 +244,6 @@ namespace seiche
       occupancy.update(points);
       fill.update(points);
     }
-    chamber_notices.update(fill.closed_chambers(), time_stepper.time());
     if (time_stepper.steps() > 0 && !points_are_controlled)
       {
         const TimerTree::Scope scope(timer, "point control");

@@ -55,6 +55,8 @@ namespace seiche
     archive.section("point control",
                     [&]() { point_control.save_or_load(archive); });
     archive.section("statistics", [&]() { statistics.save_or_load(archive); });
+    archive.section("chamber notices",
+                    [&]() { chamber_notices.save_or_load(archive); });
     archive.section("report", [&]() { report.save_or_load(archive); });
     scene.postprocessors.save_or_load(archive);
   }

@@ -59,7 +59,9 @@ namespace seiche
     , wall_velocity(scene.grid, scene.input, scene.time.end_time)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
     , dry_edges(occupancy)
-    , row_mass(occupancy)
+    , row_mass(occupancy,
+               measures_forces || scene.grid.any_friction() ||
+                 scene.grid.any_unilateral())
     , wall_friction(occupancy, row_mass)
     , wall_contact(wall_conditions,
                    occupancy,
@@ -171,8 +173,9 @@ namespace seiche
     if (wall_motion.any() && walls_squeeze_chamber(state))
       throw NumericalError(fmt::format(
         "t = {:.6g} s: walls change the volume of a chamber that is full of "
-        "incompressible fluid. Leave room above the fluid, open a wall or set "
-        "a finite Fluid/Bulk modulus.",
+        "incompressible fluid, or counts as full: half a cell of air under a "
+        "lid is not seen. Leave room above the fluid, choose smaller cells or "
+        "open a wall.",
         state.time));
     return "";
   }

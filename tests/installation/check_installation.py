@@ -158,6 +158,11 @@ def install(folder):
     require(list((folder / "dam/pictures").glob("*.png")), "no picture")
     for script in ("seiche-study", "seiche-pictures", "seiche-mpirun"):
         run(programs / script, "--help")
+    (folder / "dam.toml").write_text(
+        'base = "dam.prm"\n[set]\n"Time/End time" = 0.02\n[vary]\n"Time/Step" = [0.01, 0.005]\n'
+        '[collect]\ne = "last(relative_energy)"\n[[plot]]\nkind = "convergence"\nx = "Time/Step"\ny = "e"\n')
+    run(programs / "seiche-study", "dam.toml", "--output", "study", cwd=folder)
+    require(list((folder / "study").glob("*.png")), "no plot of the study")
     root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
     printed = run(programs / "seiche-mpirun", "-n", "2", "--oversubscribe", programs / "seiche",
                   "dam.prm", "--set", "Time/End time = 0.02", cwd=folder,

@@ -290,7 +290,9 @@ def refused(seiche, folder):
     simulate(seiche, folder, "dam_break.prm", 0.02, 0)
     assert "Output/Interval" in call("pictures", folder, code=2)
     assert "Output/Interval" in call("plot_run", folder, "-o", folder + "/x.png", code=2)
+    assert "Output/Interval" in call("plot_run", folder, "--film", code=2)
     call("plot_run", folder)
+    assert "nothing to draw" in call("plot_run", tempfile.mkdtemp(dir=folder), code=2, warned=True)
 
 
 def download(seiche, folder):

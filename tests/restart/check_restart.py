@@ -28,6 +28,7 @@ SCENE_PISTON = str(HERE / "piston_2d.prm")
 SCENE_TANK = str(HERE / "tank_2d.prm")
 SCENE_ADAPTIVE = str(HERE / "adaptive_2d.prm")
 SCENE_CROWDED = str(HERE.parent / "robustness/alarms/crowded.prm")
+SCENE_GAP = str(HERE.parent / "robustness/alarms/closing_gap.prm")
 SCENE_BOX = str(HERE / "box_3d.prm")
 SCENE_SEAM = str(HERE / "seam_3d.prm")
 SCENE_POINTS = str(HERE / "cavity_2d.prm")
@@ -169,6 +170,11 @@ def alarms(make, folder, ranks):
     assert log.count("warning: more than 2 %") == 1, log
     assert any("BEWARE: " in line for line in text.strip().split("\n")[-2:]), text
     assert summary(f"{folder}/parts")["alarms"]["overfull"] > 0.02
+    # full from 0.18 s on; the checkpoint at 0.2 s knows that it was said
+    make(SCENE_GAP, ranks, ["Checkpoint/Every steps = 5"]).run(f"{folder}/gap")
+    with open(f"{folder}/gap/run.log", encoding="utf-8") as file:
+        log = file.read()
+    assert log.count("is closed and full") == 1, log
 
 
 def exact_box(make, folder, ranks):

@@ -15,16 +15,31 @@ namespace
 {
   double load_of_test = 0.;
 
-  /// How often a thread that polls for @p duration gives up its processor.
+  using Duration = std::chrono::microseconds;
+
+  /// Call @p poll until @p duration has passed.
+  template <typename Poll>
+  void
+  repeat(const Duration duration, const Poll &poll)
+  {
+    const auto end = std::chrono::steady_clock::now() + duration;
+    while (std::chrono::steady_clock::now() < end)
+      poll();
+  }
+
+  /// How often a thread that waits @p times for @p duration, and works in
+  /// between, gives up its processor.
   long
-  naps(const double load, const std::chrono::milliseconds duration)
+  naps(const double load, const Duration duration, const unsigned int times)
   {
     load_of_test       = load;
     long        result = 0;
     std::thread waits([&]() {
-      const auto end = std::chrono::steady_clock::now() + duration;
-      while (std::chrono::steady_clock::now() < end)
-        sched_yield();
+      for (unsigned int i = 0; i < times; ++i)
+        {
+          repeat(duration, sched_yield);
+          repeat(Duration(50), []() {});
+        }
       rusage used;
       getrusage(RUSAGE_THREAD, &used);
       result = used.ru_nvcsw;
@@ -47,11 +62,13 @@ main()
   using namespace std::chrono_literals;
   seiche::let_waiting_ranks_sleep();
   const double processors = std::thread::hardware_concurrency();
-  std::cout << "crowded machine: naps in 300 ms: "
-            << (naps(2. * processors, 300ms) > 30 ? "yes" : "NO") << std::endl
-            << "free machine: "
-            << (naps(1. * processors, 300ms) < 10 ? "none" : "SOME")
+  std::cout << "crowded machine, a long wait: "
+            << (naps(2. * processors, 300ms, 1) > 5 ? "naps" : "NO NAPS")
             << std::endl
-            << "one that waits for 0.1 ms: "
-            << (naps(2. * processors, 0ms) < 10 ? "none" : "SOME") << std::endl;
+            << "the same, waits of 0.1 ms: "
+            << (naps(2. * processors, 100us, 1000) < 50 ? "none" : "NAPS")
+            << std::endl
+            << "free machine, a long wait: "
+            << (naps(1. * processors, 300ms, 1) < 5 ? "none" : "NAPS")
+            << std::endl;
 }

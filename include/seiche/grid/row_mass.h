@@ -21,8 +21,9 @@ namespace seiche
   class RowMass
   {
   public:
-    /// The reference must outlive the object.
-    explicit RowMass(const Occupancy<dim> &occupancy);
+    /// The reference must outlive the object; @p is_needed: does anything in
+    /// the scene ask for value()?
+    RowMass(const Occupancy<dim> &occupancy, const bool is_needed);
 
     /// After a change of the occupied cells. Collective.
     void
@@ -38,6 +39,7 @@ namespace seiche
 
   private:
     const Occupancy<dim> &occupancy;
+    const bool            is_needed;
     std::vector<double>   factor; ///< by own node; degree 1: empty
   };
 } // namespace seiche

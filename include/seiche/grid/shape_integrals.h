@@ -9,11 +9,11 @@
 namespace seiche
 {
   /// Integrals of the shape functions of a line of unit length.
-  std::vector<double>
+  const std::vector<double> &
   line_integrals(const unsigned int degree);
 
   /// The same of the hats between the nodes.
-  std::vector<double>
+  const std::vector<double> &
   hat_integrals(const unsigned int degree);
 
   /**

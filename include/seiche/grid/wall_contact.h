@@ -76,9 +76,11 @@ namespace seiche
     struct Contact
     {
       unsigned int node, component;
-      double       inward;   ///< +1 or -1: side of the fluid
-      double       extent;   ///< [m] of the cell, normal to the wall
-      double       spacing;  ///< [m] from the wall to the next node
+      double       inward; ///< +1 or -1: side of the fluid
+      double       extent; ///< [m] of the cell, normal to the wall
+      /// Integral of the node's shape function along the normal [m]: its
+      /// volume over its area of the wall.
+      double       width;
       double       pressing; ///< [N] least force to the wall, from old pressure
       double       margin;   ///< [N] tension below it is round-off
       unsigned int releases; ///< in this solve

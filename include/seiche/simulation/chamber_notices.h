@@ -5,7 +5,6 @@
 #include <seiche/grid/closed_chambers.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/scene.h>
-#include <seiche/simulation/scene_scales.h>
 
 namespace seiche
 {
@@ -18,19 +17,34 @@ namespace seiche
   {
   public:
     /// References must outlive the object.
-    ChamberNotices(const Scene<dim>  &scene,
-                   const SceneScales &scales,
-                   RunReport         &report);
+    ChamberNotices(const Scene<dim> &scene, RunReport &report);
 
-    /// Speak of those that are full at @p time [s]. Local.
+    /// Speak of those that are full in a step of @p dt from @p time on [s],
+    /// in cells of @p smallest_extent [m]. Local.
     void
-    update(const ClosedChambers<dim> &closed, const double time);
+    update(const ClosedChambers<dim> &closed,
+           const double               time,
+           const double               dt,
+           const double               smallest_extent);
+
+    /// Local.
+    void
+    save_or_load(StateArchive &archive);
 
   private:
+    /// Of a chamber of incompressible fluid; @p it: which.
+    void
+    tell_of_level(const std::string &it, const double time);
+
+    /// Of one of compressible fluid; @p dt_over_extent [s/m].
+    void
+    warn_of_compression(const std::string &it,
+                        const double       time,
+                        const double       dt_over_extent);
+
     const Scene<dim> &scene;
     RunReport        &report;
-    const double      sound; ///< cells that it crosses in a step
-    std::vector<char> known; ///< by chamber
+    std::vector<char> told; ///< by chamber
   };
 } // namespace seiche
 

@@ -10,7 +10,6 @@
 #include <mpi.h>
 #include <nlohmann/json.hpp>
 
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,8 +77,7 @@ namespace seiche
     void
     warn(const std::string &text, const std::string &detail = "");
 
-    /// Print what a user would want to know and what is no warning: a text is
-    /// printed once, @p detail as in warn().
+    /// Print what a user would want to know and what is no warning.
     void
     note(const std::string &text, const std::string &detail = "");
 
@@ -132,7 +130,6 @@ namespace seiche
     std::string  early_log; // before open_files()
 
     std::vector<std::pair<std::string, unsigned int>> warnings;
-    std::set<std::string>                             notes;
 
     std::size_t progress_width = 0;   // of the line on the terminal
     double      last_shown     = -1.; // wall seconds

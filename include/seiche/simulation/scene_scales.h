@@ -5,7 +5,6 @@
 #include <seiche/scene/scene_map.h>
 #include <seiche/simulation/scene.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -23,13 +22,13 @@ namespace seiche
     SceneScales() = default;
 
     /// InputError where the body force or a velocity is no number in the
-    /// fluid. @p smallest_edge: of the cells [m]. Local.
+    /// fluid. @p finest_edge: of the cells [m]. Local.
     template <int dim>
     SceneScales(const Scene<dim>                    &scene,
                 const std::vector<FluidBody<dim>>   &bodies,
                 const std::vector<SampledBody<dim>> &samples,
                 const BodyForce<dim>                &body_force,
-                const double                         smallest_edge);
+                const double                         finest_edge);
 
     double speed = 0.; ///< of the fastest point [m/s]
     double walls = 0.; ///< largest_wall_speed() [m/s]
@@ -62,13 +61,6 @@ namespace seiche
     double
     expected_step() const;
 
-    /// Cells that sound crosses in a step.
-    double
-    cells_of_sound() const
-    {
-      return std::sqrt(modulus / density) * step / smallest_cell;
-    }
-
   private:
     double
     wave_speed() const;
@@ -90,15 +82,15 @@ namespace seiche
     std::string
     doubt_of_sound() const;
 
-    double density       = 0.;   ///< [kg/m^3]
-    double viscosity     = 0.;   ///< [Pa s]
-    double modulus       = 0.;   ///< kappa [Pa], infinity allowed
-    bool   is_mixed      = true; ///< or the irreducible form
-    double step          = 0.;   ///< [s]
-    bool   is_fixed      = true; ///< or the largest step
-    double end_time      = 0.;   ///< [s]
-    double smallest_cell = 0.;   ///< edge [m]
-    double lowest_cell   = 0.;   ///< smallest vertical edge [m]
+    double density         = 0.;   ///< [kg/m^3]
+    double viscosity       = 0.;   ///< [Pa s]
+    double modulus         = 0.;   ///< kappa [Pa], infinity allowed
+    bool   is_mixed        = true; ///< or the irreducible form
+    double step            = 0.;   ///< [s]
+    bool   is_fixed        = true; ///< or the largest step
+    double end_time        = 0.;   ///< [s]
+    double smallest_cell   = 0.;   ///< edge [m]
+    double smallest_height = 0.;   ///< smallest vertical edge [m]
 
     double mass           = 0.; ///< [kg]
     bool   mass_is_exact  = true;
