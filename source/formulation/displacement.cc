@@ -130,7 +130,8 @@ namespace seiche
 
   template <int dim>
   void
-  Displacement<dim>::update_points(PointCloud<dim> &points) const
+  Displacement<dim>::update_points(PointCloud<dim> &points,
+                                   const bool /*volume_from_pressure*/) const
   {
     const double *ratio    = points.data(PointColumn::volume_ratio);
     double       *pressure = points.data(PointColumn::pressure);

@@ -34,6 +34,21 @@ namespace seiche
   } // namespace
 
   template <int dim>
+  void
+  DisplacementPressureVMS<dim>::update_points(
+    PointCloud<dim> &points,
+    const bool       volume_from_pressure) const
+  {
+    if (!volume_from_pressure)
+      return;
+    const double *pressure = points.data(PointColumn::pressure);
+    double       *ratio    = points.data(PointColumn::volume_ratio);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      ratio[p] = this->material.volume_law.ratio(-pressure[p] /
+                                                 this->material.bulk_modulus);
+  }
+
+  template <int dim>
   bool
   DisplacementPressureVMS<dim>::has_pressure() const
   {

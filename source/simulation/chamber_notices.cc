@@ -3,18 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace seiche
 {
   using namespace dealii;
 
   namespace
   {
-    /// Cells that sound may cross in a step where each point keeps its own
-    /// volume and nothing gives way (doc/methods.md, "Stability").
-    constexpr double most_cells_of_sound = 100.;
-
     /// "0; 0.5".
     template <int dim>
     std::string
@@ -37,9 +31,7 @@ namespace seiche
   template <int dim>
   void
   ChamberNotices<dim>::update(const ClosedChambers<dim> &closed,
-                              const double               time,
-                              const double               dt,
-                              const double               smallest_extent)
+                              const double               time)
   {
     if (!closed.any())
       return;
@@ -56,8 +48,13 @@ namespace seiche
                         in_words(corners.second));
           if (scene.fluid.is_incompressible())
             tell_of_level(it, time);
-          else
-            warn_of_compression(it, time, dt / smallest_extent);
+          else if (time > 0.)
+            report.warn(
+              it + " now: the air that it still holds, up to half a cell under "
+                   "its lid, counts as compression, and pressures may be wrong "
+                   "by factors; what may help: smaller cells, or room above "
+                   "the fluid",
+              fmt::format("t = {:.6g} s", time));
         }
   }
 
@@ -72,34 +69,6 @@ namespace seiche
                      "; unilateral walls hold the fluid there" :
                      ""),
                 time > 0. ? fmt::format("t = {:.6g} s", time) : "");
-  }
-
-  template <int dim>
-  void
-  ChamberNotices<dim>::warn_of_compression(const std::string &it,
-                                           const double       time,
-                                           const double       dt_over_extent)
-  {
-    const FluidParameters &fluid = scene.fluid;
-    if (time > 0.)
-      {
-        report.warn(
-          it + " now: the air that it still holds, up to half a cell under its "
-               "lid, counts as compression, and pressures may be wrong by "
-               "factors; what may help: smaller cells, or room above the fluid",
-          fmt::format("t = {:.6g} s", time));
-        return;
-      }
-    const double cells =
-      std::sqrt(fluid.bulk_modulus / fluid.density) * dt_over_extent;
-    if (scene.formulation.is_mixed() && !scene.uses_mean_volume() &&
-        cells > most_cells_of_sound)
-      report.warn(
-        it + fmt::format(", and sound crosses more than {:.0f} cells in a "
-                         "step: pressures may drift there; what may help: "
-                         "Volume/Update = nodal mean",
-                         most_cells_of_sound),
-        fmt::format("{:.3g} cells", cells));
   }
 
   template <int dim>

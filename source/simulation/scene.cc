@@ -80,18 +80,7 @@ namespace seiche
     formulation.add_parameters(prm);
     quadrature.add_parameters(prm);
     free_surface.add_parameters(prm);
-    prm.enter_subsection("Volume");
-    prm.add_parameter(
-      "Update",
-      volume_update,
-      "What changes the volume ratio of a point in a step (in which a finite "
-      "Bulk modulus keeps the pressure): the displacement gradient at the "
-      "point, or its nodal mean, which keeps neighbours together. automatic: "
-      "nodal mean for incompressible fluid and for Element degree 2, else at "
-      "the point (nodal mean: higher order, but at a free surface less "
-      "accurate)",
-      Patterns::Selection("automatic|at the point|nodal mean"));
-    prm.leave_subsection();
+    volume.add_parameters(prm);
     time.add_parameters(prm);
     time_scheme.add_parameters(prm);
     transfer.add_parameters(prm);
@@ -189,7 +178,7 @@ namespace seiche
       input_file.cites(point_control.density_rate > 0. ?
                          "saye2015 kugelstadt2021" :
                          "saye2015");
-    if (uses_mean_volume())
+    if (volume_update() == VolumeUpdate::nodal_mean)
       input_file.cites("bonet1998");
     const bool has_gradient = Transfer<dim>::columns(transfer).count(
                                 PointColumn::velocity_gradient) > 0;
@@ -204,6 +193,7 @@ namespace seiche
        [&]() {
          transfer.check(input_file, formulation.degree, seeding.per_direction);
        },
+       [&]() { volume.check(input_file, has_pressure_of_end()); },
        [&]() { linear_solver.check(input_file, is_mixed); },
        [&]() {
          point_control.check(input_file,
@@ -215,11 +205,25 @@ namespace seiche
 
   template <int dim>
   bool
-  Scene<dim>::uses_mean_volume() const
+  Scene<dim>::has_pressure_of_end() const
   {
-    return volume_update == "nodal mean" ||
-           (volume_update == "automatic" &&
-            (fluid.is_incompressible() || formulation.degree == 2));
+    return formulation.is_mixed() && !fluid.is_incompressible() &&
+           time_scheme.elastic_pressure == "end";
+  }
+
+  template <int dim>
+  VolumeUpdate
+  Scene<dim>::volume_update() const
+  {
+    // points that are the quadrature need volumes of their own: these make up
+    // for their disorder (doc/methods.md, volume of the points)
+    const VolumeUpdate automatic =
+      has_pressure_of_end() && quadrature.has_surface() ?
+        VolumeUpdate::from_the_pressure :
+      fluid.is_incompressible() || formulation.degree == 2 ?
+        VolumeUpdate::nodal_mean :
+        VolumeUpdate::at_the_point;
+    return volume.value(automatic);
   }
 
   template <int dim>

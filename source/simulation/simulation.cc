@@ -61,10 +61,7 @@ namespace seiche
     , point_control(scene.point_control, points, occupancy, fill)
     , tank_motion(scene.make_tank_motion())
     , body_force(scene.body_force, tank_motion, scene.input)
-    , transfer(scene.transfer,
-               fill,
-               scene.fluid.density,
-               scene.uses_mean_volume())
+    , transfer(scene.transfer, fill, scene.fluid.density, scene.volume_update())
     , step_solver(scene,
                   *formulation,
                   *time_scheme,
@@ -160,10 +157,7 @@ namespace seiche
       speed    = speed_per_cell();
       state.dt = time_stepper.next_step(speed);
     }
-    chamber_notices.update(fill.closed_chambers(),
-                           state.time,
-                           state.dt,
-                           occupancy.smallest_extent());
+    chamber_notices.update(fill.closed_chambers(), state.time);
     while (true)
       {
         const std::string failure =
@@ -307,7 +301,9 @@ namespace seiche
                               accepts ?
                                 largest_way() :
                                 std::numeric_limits<double>::infinity());
-    formulation->update_points(points);
+    formulation->update_points(points,
+                               scene.volume_update() ==
+                                 VolumeUpdate::from_the_pressure);
     if (fill.has_surface())
       {
         const TimerTree::Scope scope(timer, "density projection");

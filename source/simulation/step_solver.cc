@@ -49,13 +49,14 @@ namespace seiche
     , has_pressure(formulation.has_pressure())
     , is_incompressible(has_pressure && scene.fluid.is_incompressible())
     , measures_forces(scene.postprocessors.measure_forces())
-    , quadrature(make_quadrature(points,
-                                 fill,
-                                 scene.fluid.density,
-                                 is_incompressible ? VolumeRatio::one :
-                                 scene.uses_mean_volume() ?
-                                                     VolumeRatio::linear :
-                                                     VolumeRatio::mean))
+    , quadrature(
+        make_quadrature(points,
+                        fill,
+                        scene.fluid.density,
+                        is_incompressible ? VolumeRatio::one :
+                        scene.volume_update() == VolumeUpdate::at_the_point ?
+                                            VolumeRatio::mean :
+                                            VolumeRatio::linear))
     , wall_velocity(scene.grid, scene.input, scene.time.end_time)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
     , dry_edges(occupancy)

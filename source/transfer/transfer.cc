@@ -175,13 +175,13 @@ namespace seiche
   Transfer<dim>::Transfer(const TransferParameters &transfer_parameters,
                           const Fill<dim>          &grid_fill,
                           const double              fluid_density,
-                          const bool                nodal_mean_volume)
+                          const VolumeUpdate        volume_update)
     : parameters(transfer_parameters)
     , method(transfer_method(transfer_parameters.method))
     , fill(grid_fill)
     , occupancy(grid_fill.occupancy)
     , density(fluid_density)
-    , mean_volume(nodal_mean_volume)
+    , mean_volume(volume_update == VolumeUpdate::nodal_mean)
   {}
 
 

@@ -36,7 +36,10 @@ namespace
     occupancy.update(points);
     Fill<dim> fill(occupancy, QuadratureRule::cut_cells);
     fill.update(points);
-    const Transfer<dim> transfer(parameters, fill, 1000., /*mean=*/false);
+    const Transfer<dim> transfer(parameters,
+                                 fill,
+                                 1000.,
+                                 VolumeUpdate::at_the_point);
     GridState<dim>      state;
     state.reinit(occupancy, true, false);
     state.dt = 1.;

@@ -200,7 +200,7 @@ namespace
     const seiche::Transfer<dim> transfer(parameters,
                                          fill,
                                          /*density=*/100.,
-                                         /*mean_volume=*/false);
+                                         seiche::VolumeUpdate::at_the_point);
     for (std::size_t p = 0; p < points.size(); ++p)
       points.data(PointColumn::pressure)[p] = 7.;
 

@@ -51,7 +51,7 @@ struct Workbench
     , transfer(scene.transfer,
                fill,
                scene.fluid.density,
-               scene.uses_mean_volume())
+               scene.volume_update())
     , matrix(occupancy, formulation->has_pressure())
     , assembler(*formulation,
                 *quadrature,

@@ -2,6 +2,7 @@
 #ifndef seiche_constitutive_volume_law_h
 #define seiche_constitutive_volume_law_h
 
+#include <algorithm>
 #include <cmath>
 
 namespace seiche
@@ -23,6 +24,15 @@ namespace seiche
     {
       using std::log;
       return logarithmic ? log(J) : J - 1.;
+    }
+
+    /// J of a strain. The linear law knows no strain below -1: pressures above
+    /// kappa, as in an impact on soft fluid.
+    double
+    ratio(const double strain) const
+    {
+      constexpr double least = 0.05;
+      return logarithmic ? std::exp(strain) : std::max(least, 1. + strain);
     }
 
     /// J dphi/dJ: dphi = slope div_1 du.

@@ -31,7 +31,8 @@ namespace seiche
 
     /// p = -kappa (J - 1).
     void
-    update_points(PointCloud<dim> &points) const override;
+    update_points(PointCloud<dim> &points,
+                  const bool       volume_from_pressure) const override;
 
   private:
     template <int degree>

@@ -34,6 +34,9 @@ namespace seiche
     projected_terms(CellData<dim, 1> &cell) const override;
     void
     projected_terms(CellData<dim, 2> &cell) const override;
+    void
+    update_points(PointCloud<dim> &points,
+                  const bool       volume_from_pressure) const override;
 
   private:
     template <int degree>

@@ -122,13 +122,12 @@ namespace seiche
       AssertThrow(false, dealii::ExcNotImplemented());
     }
 
-    /// Derived columns of the points after their volume ratio has changed
-    /// (the pressure, where it is no unknown). Local.
+    /// Columns of the points that others define: the pressure by the volume
+    /// ratio, where it is no unknown; else the volume ratio by the pressure, if
+    /// @p volume_from_pressure. Local.
     virtual void
-    update_points(PointCloud<dim> &points) const
-    {
-      (void)points;
-    }
+    update_points(PointCloud<dim> &points,
+                  const bool       volume_from_pressure) const = 0;
 
     /// Viscosity [Pa s] of the tangent: none where it is so small beside
     /// inertia that Newton's iteration does not miss it (doc/theory.md, section

@@ -117,10 +117,10 @@ namespace seiche
   {
     one,  ///< the fluid is incompressible: J is an error of the points' motion
     mean, ///< V0-weighted mean of the cell's points
-    /// linear fit to the cell's points, for volumes that follow nodal means: of
-    /// second order. With volumes that follow the points' own gradients, whose
-    /// linear part in a cell no equation controls, soft fluids are unstable
-    /// (doc/methods.md, "Stability").
+    /// linear fit to the cell's points, for volumes that follow nodal means or
+    /// the pressure: of second order. With volumes that follow the points' own
+    /// gradients, whose linear part in a cell no equation controls, soft fluids
+    /// are unstable (doc/methods.md, "Stability").
     linear
   };
 

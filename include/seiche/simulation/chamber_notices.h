@@ -19,13 +19,9 @@ namespace seiche
     /// References must outlive the object.
     ChamberNotices(const Scene<dim> &scene, RunReport &report);
 
-    /// Speak of those that are full in a step of @p dt from @p time on [s],
-    /// in cells of @p smallest_extent [m]. Local.
+    /// Speak of those that are full at @p time [s]. Local.
     void
-    update(const ClosedChambers<dim> &closed,
-           const double               time,
-           const double               dt,
-           const double               smallest_extent);
+    update(const ClosedChambers<dim> &closed, const double time);
 
     /// Local.
     void
@@ -35,12 +31,6 @@ namespace seiche
     /// Of a chamber of incompressible fluid; @p it: which.
     void
     tell_of_level(const std::string &it, const double time);
-
-    /// Of one of compressible fluid; @p dt_over_extent [s/m].
-    void
-    warn_of_compression(const std::string &it,
-                        const double       time,
-                        const double       dt_over_extent);
 
     const Scene<dim> &scene;
     RunReport        &report;

@@ -51,9 +51,8 @@ namespace seiche
     MaterialConstants
     material() const;
 
-    /// True if the points' volume ratios follow nodal means.
-    bool
-    uses_mean_volume() const;
+    VolumeUpdate
+    volume_update() const;
 
     FilledVolume
     filled_volume() const;
@@ -79,7 +78,7 @@ namespace seiche
     FormulationParameters                 formulation;
     QuadratureParameters                  quadrature;
     FreeSurfaceParameters                 free_surface;
-    std::string                           volume_update = "automatic";
+    VolumeParameters                      volume;
     TimeStepParameters                    time;
     TimeSchemeParameters                  time_scheme;
     TransferParameters                    transfer;
@@ -90,6 +89,10 @@ namespace seiche
     bool                                  test_log = false;
 
   private:
+    /// Is there a pressure to which volumes of the end of a step belong?
+    bool
+    has_pressure_of_end() const;
+
     /// Of choices that need others, which are fine.
     void
     check_choices(const InputFile &input);

@@ -5,6 +5,7 @@
 #include <seiche/grid/fill.h>
 #include <seiche/grid/grid_state.h>
 #include <seiche/points/point_cloud.h>
+#include <seiche/transfer/volume_update.h>
 
 #include <limits>
 #include <set>
@@ -112,11 +113,10 @@ namespace seiche
   {
   public:
     /// @p grid_fill must outlive the object; @p density [kg/m^3];
-    /// @p mean_volume: volume ratios follow nodal means (volume_change.h).
     Transfer(const TransferParameters &transfer_parameters,
              const Fill<dim>          &grid_fill,
              const double              density,
-             const bool                mean_volume);
+             const VolumeUpdate        volume_update);
 
     /// Columns that the method needs beyond the always present ones.
     static std::set<PointColumn>
