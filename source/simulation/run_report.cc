@@ -42,15 +42,19 @@ namespace seiche
     // of a step; Krylov iterations depend on rounding and on preconditioners
     constexpr unsigned int newton_range = 10, krylov_range = 200;
 
-    /// Counts differ a little between machines: "1-10", "11-20", ...
+    /// Counts differ a little between machines: "1-10", "11-100", ...
     std::string
-    count_range(const double count, const unsigned int width)
+    count_range(const double count, const unsigned int first)
     {
       if (count <= 0.)
         return "0";
-      const unsigned int lower =
-        width * static_cast<unsigned int>((std::ceil(count) - 1.) / width);
-      return fmt::format("{}-{}", lower + 1, lower + width);
+      unsigned int lower = 0, upper = first;
+      while (count > upper)
+        {
+          lower = upper;
+          upper *= 10;
+        }
+      return fmt::format("{}-{}", lower + 1, upper);
     }
 
     /// Six digits; what is only rounding error is zero.
