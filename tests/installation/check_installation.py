@@ -96,7 +96,9 @@ def self_test(folder):
     require(re.search(r"^FAILED dam_break .*Newton", text, re.M), text)
     printed = run(PROGRAM, "dam.prm", "--self-test", code=2, env=environment)
     require('leave out "dam.prm"' in printed, printed)
-    require(not list(folder.iterdir()), f"left behind: {list(folder.iterdir())}")
+    # empty folders of Open MPI 5 (open-mpi/ompi#13261)
+    left = [path for path in folder.rglob("*") if not path.is_dir()]
+    require(not left, f"left behind: {left}")
 
 
 def papers(folder):
@@ -176,7 +178,7 @@ def install(folder):
     run(programs / "seiche", prefix / "share/seiche/prm/benchmarks/dam_break_2d/dam_break_2d.prm",
         "--validate")
     # headers and libraries, without those of the sources
-    run("cmake", "-S", prefix / "share/doc/seiche/examples", "-B", folder / "build",
+    run("cmake", "-G", "Ninja", "-S", prefix / "share/doc/seiche/examples", "-B", folder / "build",
         f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCMAKE_BUILD_TYPE={cached('CMAKE_BUILD_TYPE')}")
     run("cmake", "--build", folder / "build")
     printed = run(folder / "build/example_column", cwd=folder)
