@@ -40,7 +40,7 @@ namespace seiche
        "the volume of the points, which pressure alone may change, is wrong by "
        "more than 1 %",
        "a larger Formulation/Tau continuity factor (0.5) or a smaller "
-       "Time/Step; beside a lid, Fluid/Bulk modulus = infinite"},
+       "Time/Step"},
       {"overfull",
        0.02,
        "more than 2 % of the water is where cells are full already",

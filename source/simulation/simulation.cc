@@ -62,6 +62,8 @@ namespace seiche
     , tank_motion(scene.make_tank_motion())
     , body_force(scene.body_force, tank_motion, scene.input)
     , transfer(scene.transfer, fill, scene.fluid.density, scene.volume_update())
+    , volume_from_pressure(scene.volume_update() ==
+                           VolumeUpdate::from_the_pressure)
     , step_solver(scene,
                   *formulation,
                   *time_scheme,
@@ -301,9 +303,7 @@ namespace seiche
                               accepts ?
                                 largest_way() :
                                 std::numeric_limits<double>::infinity());
-    formulation->update_points(points,
-                               scene.volume_update() ==
-                                 VolumeUpdate::from_the_pressure);
+    formulation->update_points(points, volume_from_pressure);
     if (fill.has_surface())
       {
         const TimerTree::Scope scope(timer, "density projection");

@@ -215,13 +215,14 @@ namespace seiche
     const TankMotion<dim>                   tank_motion;
     const BodyForce<dim>                    body_force;
     const Transfer<dim>                     transfer;
-    GridState<dim>                          state;
-    StepSolver<dim>                         step_solver;
-    TimeStepper                             time_stepper;
-    ChamberNotices<dim>                     chamber_notices;
-    const double     expected_step; ///< of SceneScales [s]
-    AcceptedFailures accepted_failures;
-    StatisticsTable  statistics;
+    const bool          volume_from_pressure; ///< J of points
+    GridState<dim>      state;
+    StepSolver<dim>     step_solver;
+    TimeStepper         time_stepper;
+    ChamberNotices<dim> chamber_notices;
+    const double        expected_step; ///< of SceneScales [s]
+    AcceptedFailures    accepted_failures;
+    StatisticsTable     statistics;
 
     StepBalance<dim> balance; ///< of the last step, if the tank moves
 
