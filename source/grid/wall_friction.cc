@@ -14,8 +14,8 @@ namespace seiche
   WallFriction<dim>::WallFriction(const Occupancy<dim> &grid_occupancy,
                                   const RowMass<dim>   &grid_row_mass)
     : occupancy(grid_occupancy)
-    , row_mass(grid_row_mass)
     , exists(grid_occupancy.locator.grid.parameters.any_friction())
+    , row_mass(grid_row_mass)
   {}
 
   template <int dim>

@@ -378,7 +378,8 @@ namespace seiche
                   const VectorType  &vector,
                   double            *values) const
     {
-      double              at_nodes[HangingNodes<dim>::max_nodes];
+      // vertices have nodes, which the compiler cannot know: zeros, or it warns
+      double              at_nodes[HangingNodes<dim>::max_nodes] = {};
       const unsigned int *nodes = cell_nodes(cell);
       for (unsigned int a = 0; a < nodes_per_cell(); ++a)
         at_nodes[a] = vector.local_element(nodes[a]);
