@@ -126,6 +126,23 @@ def channel(t, y, force, width, nu):
     return u
 
 
+def power_law_speeds(t, places, half_width, force, n, gamma_0=1e-3, cells=800):
+    """Speeds from rest at these distances from a no-slip wall, without shear at
+    half_width: rho = K = 1, mu = (gamma^2 + gamma_0^2)^((n - 1)/2); finite volumes."""
+    h = half_width / cells
+
+    def derivative(_, u):
+        shear = np.concatenate(([u[0] / (0.5 * h)], np.diff(u) / h, [0]))
+        stress = (shear**2 + gamma_0**2) ** ((n - 1) / 2) * shear
+        return force + np.diff(stress) / h
+
+    u = solve_ivp(derivative, (0, t[-1]), np.zeros(cells), t_eval=t, method="LSODA",
+                  rtol=1e-8, atol=1e-10, lband=1, uband=1).y
+    middles = (np.arange(cells) + 0.5) * h
+    return [np.array([np.interp(y, middles, u[:, k]) for k in range(len(t))])
+            for y in places]
+
+
 def huppert_factor():
     """eta_N of x_N = eta_N (g q^3/(3 nu))^(1/5) t^(1/5), and the integral of
     (1 - s^2)^(1/3)."""
@@ -169,6 +186,17 @@ def tables():
     t = np.linspace(0, 1, 101)
     yield ("film_startup", "t [s],speed y = 0.9 [m/s],speed y = 0.5 [m/s]",
            [t, channel(t, 0.9, 2.0, 2.0, 1.0), channel(t, 0.5, 2.0, 2.0, 1.0)])
+    t = np.linspace(0, 6, 201)
+    yield ("channel_power_law", "t [s],speed y = 0.5 [m/s],speed y = 0.25 [m/s]",
+           [t, *power_law_speeds(t, (0.5, 0.25), 0.5, 5.0, 0.5)])
+    t = np.linspace(0, 6, 201)
+    yield ("film_power_law", "t [s],speed y = 0.9 [m/s],speed y = 0.5 [m/s]",
+           [t, *power_law_speeds(t, (0.9, 0.5), 1.0, 2.0, 1.5)])
+    t = np.linspace(0, 7, 351)
+    k = np.pi
+    omega = np.sqrt(GRAVITY * k * 200 * np.tanh(0.5 * k) / 1800)
+    yield ("internal_wave", "t [s],speed [m/s]",
+           [t, -0.02 * omega * np.sin(omega * t)])
 
 
 def series():

@@ -14,26 +14,29 @@ namespace seiche
       Lanes                 volume_t, pressure;
       Lanes                 strain_slope; // VolumeStrain::slope
       Tensor<2, dim, Lanes> velocity_gradient, stress;
+      ViscousStress<dim>    viscous;
 
       PointState(const CellData<dim, degree>               &cell,
                  const PointKinematics<dim, degree, Lanes> &point,
                  const unsigned int                         q,
-                 const MaterialConstants                   &material)
+                 const Material                            &material,
+                 const VolumeLaw                           &volume_law)
       {
         const Lanes J_n = load<Lanes>(&cell.quadrature.volume_ratio[q]);
         volume_t = point.det_t * J_n * load<Lanes>(&cell.quadrature.volume[q]);
-        const VolumeStrain<Lanes> strain(material.volume_law,
+        const VolumeStrain<Lanes> strain(volume_law,
                                          cell.coefficients.elastic_time,
                                          J_n,
                                          point.det_1 * J_n);
         strain_slope = strain.slope;
-        if (cell.coefficients.viscous && !material.law.is_inviscid())
+        if (cell.viscosity > 0.)
           {
             velocity_gradient =
               point.gradient(cell.rate_velocity, point.gradient_t);
-            stress = material.law.stress(velocity_gradient);
+            viscous.evaluate(*material.law, velocity_gradient);
+            stress = viscous.stress();
           }
-        pressure = -material.bulk_modulus * strain.value;
+        pressure = -volume_law.bulk_modulus * strain.value;
         for (unsigned int i = 0; i < dim; ++i)
           stress[i][i] -= pressure;
       }
@@ -68,10 +71,11 @@ namespace seiche
   {
     PointKinematics<dim, degree, Lanes> point;
     Lanes residual[dim][CellData<dim, degree>::n_nodes] = {};
-    for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
-      {
+    cell.quadrature.for_each_batch(
+      [&](const unsigned int q, const unsigned int, const Material &material) {
         point.evaluate(cell, q, /*with_end=*/false);
-        const PointState<dim, degree> state(cell, point, q, this->material);
+        const PointState<dim, degree> state(
+          cell, point, q, material, this->volume_law);
         MomentumTerms<dim, degree>::add_residual(
           cell,
           point,
@@ -81,7 +85,7 @@ namespace seiche
           cell.template body_force_at<Lanes>(q),
           state.stress,
           residual);
-      }
+      });
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int a = 0; a < CellData<dim, degree>::n_nodes; ++a)
         cell.residual_u[i][a] = sum(residual[i][a]);
@@ -107,25 +111,28 @@ namespace seiche
   Displacement<dim>::add_tangent(CellData<dim, degree> &cell) const
   {
     cell.clear_tangent();
-    const double viscosity = this->tangent_viscosity(cell);
+    const bool is_viscous = this->tangent_is_viscous(cell);
     PointKinematics<dim, degree, Lanes> point;
-    for (unsigned int q = 0; q < cell.quadrature.size; q += n_lanes_of_register)
-      {
-        point.evaluate(cell, q, /*with_end=*/true);
-        const PointState<dim, degree> state(cell, point, q, this->material);
-        MomentumTerms<dim, degree>::add_tangent(
-          cell,
-          point,
-          std::min(n_lanes_of_register, cell.quadrature.size - q),
-          load<Lanes>(&cell.quadrature.mass[q]),
-          state.volume_t,
-          viscosity,
-          this->material.bulk_modulus * state.strain_slope,
-          point.gradient_1,
-          state.velocity_gradient,
-          state.stress,
-          state.pressure);
-      }
+    cell.quadrature.for_each_batch([&](const unsigned int q,
+                                       const unsigned int n_points,
+                                       const Material    &material) {
+      point.evaluate(cell, q, /*with_end=*/true);
+      const PointState<dim, degree> state(
+        cell, point, q, material, this->volume_law);
+      MomentumTerms<dim, degree>::add_tangent(
+        cell,
+        point,
+        n_points,
+        load<Lanes>(&cell.quadrature.mass[q]),
+        state.volume_t,
+        is_viscous,
+        state.viscous,
+        this->volume_law.bulk_modulus * state.strain_slope,
+        point.gradient_1,
+        state.velocity_gradient,
+        state.stress,
+        state.pressure);
+    });
   }
 
   template <int dim>
@@ -136,8 +143,8 @@ namespace seiche
     const double *ratio    = points.data(PointColumn::volume_ratio);
     double       *pressure = points.data(PointColumn::pressure);
     for (std::size_t p = 0; p < points.size(); ++p)
-      pressure[p] = -this->material.bulk_modulus *
-                    this->material.volume_law.strain(ratio[p]);
+      pressure[p] =
+        -this->volume_law.bulk_modulus * this->volume_law.strain(ratio[p]);
   }
 
   template class Displacement<2>;

@@ -16,17 +16,16 @@ namespace seiche
     struct FormulationEntry
     {
       const char *name;
-      std::unique_ptr<Formulation<dim>> (*make)(const MaterialConstants &,
+      std::unique_ptr<Formulation<dim>> (*make)(const VolumeLaw &,
                                                 const FormulationParameters &);
       const char *description;
     };
 
     template <int dim, typename Type>
     std::unique_ptr<Formulation<dim>>
-    make(const MaterialConstants     &material,
-         const FormulationParameters &parameters)
+    make(const VolumeLaw &volume_law, const FormulationParameters &parameters)
     {
-      return std::make_unique<Type>(material, parameters);
+      return std::make_unique<Type>(volume_law, parameters);
     }
 
     template <int dim>
@@ -83,18 +82,18 @@ namespace seiche
   template <int dim>
   std::unique_ptr<Formulation<dim>>
   make_formulation(const FormulationParameters &parameters,
-                   const MaterialConstants     &material)
+                   const VolumeLaw             &volume_law)
   {
     for (const auto &entry : formulation_table<dim>)
       if (parameters.name == entry.name)
-        return entry.make(material, parameters);
+        return entry.make(volume_law, parameters);
     AssertThrow(false, ExcInternalError()); // the pattern refuses other names
     return nullptr;
   }
 
 #define INSTANTIATE(dim)                                            \
   template std::unique_ptr<Formulation<dim>> make_formulation<dim>( \
-    const FormulationParameters &, const MaterialConstants &);
+    const FormulationParameters &, const VolumeLaw &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

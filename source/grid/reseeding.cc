@@ -13,14 +13,45 @@ namespace seiche
 
   namespace
   {
-    /// values[keep] <- weighted mean of the two, weights adding up to one.
-    void
-    mix(double           *values,
-        const std::size_t keep,
-        const std::size_t drop,
-        const double      share_of_dropped)
+    /// Have they equal values in the columns that must be the same?
+    template <int dim>
+    bool
+    are_alike(const PointCloud<dim> &points,
+              const std::size_t      a,
+              const std::size_t      b)
     {
-      values[keep] += share_of_dropped * (values[drop] - values[keep]);
+      return std::all_of(point_column_table.begin(),
+                         point_column_table.end(),
+                         [&](const PointColumnInfo &info) {
+                           return info.merge != MergeRule::same ||
+                                  !points.has(info.column) ||
+                                  points.data(info.column)[a] ==
+                                    points.data(info.column)[b];
+                         });
+    }
+    /// A column of two points that become one; the shares are those of the
+    /// other point.
+    void
+    merge_values(const MergeRule rule,
+                 const double    other,
+                 const double    mass_share,
+                 const double    volume_share,
+                 double         &value)
+    {
+      switch (rule)
+        {
+          case MergeRule::by_mass:
+            value += mass_share * (other - value);
+            break;
+          case MergeRule::by_volume:
+            value += volume_share * (other - value);
+            break;
+          case MergeRule::sum:
+            value += other;
+            break;
+          case MergeRule::same:
+            break;
+        }
     }
   } // namespace
 
@@ -60,7 +91,8 @@ namespace seiche
              ++p)
           alive.push_back(p);
         while (alive.size() > limit)
-          dropped.push_back(merge_pair(points, alive));
+          if (const auto p = merge_pair(points, alive))
+            dropped.push_back(*p);
       }
     std::sort(dropped.begin(), dropped.end());
     points.remove(dropped);
@@ -68,12 +100,12 @@ namespace seiche
   }
 
   template <int dim>
-  std::size_t
+  std::optional<std::size_t>
   Reseeding<dim>::merge_pair(PointCloud<dim>          &points,
                              std::vector<std::size_t> &alive) const
   {
-    double *mass   = points.data(PointColumn::mass);
-    double *volume = points.data(PointColumn::initial_volume);
+    const double *mass   = points.data(PointColumn::mass);
+    const double *volume = points.data(PointColumn::initial_volume);
 
     // the first in the order of ids among equals
     const auto  lightest = *std::min_element(alive.begin(),
@@ -87,11 +119,16 @@ namespace seiche
       {
         const double distance =
           points.position(p).distance_square(points.position(lightest));
-        if (p != lightest && distance < least)
+        if (p != lightest && distance < least && are_alike(points, p, lightest))
           {
             least   = distance;
             nearest = p;
           }
+      }
+    if (nearest == lightest) // it stays as it is
+      {
+        alive.erase(std::find(alive.begin(), alive.end(), lightest));
+        return {};
       }
 
     // the older one stays, so that a tracked point lives long
@@ -102,17 +139,11 @@ namespace seiche
     for (const PointColumnInfo &info : point_column_table)
       if (points.has(info.column))
         for (unsigned int c = 0; c < n_components(info.column, dim); ++c)
-          {
-            double *values = points.data(info.column, c);
-            if (info.column == PointColumn::mass ||
-                info.column == PointColumn::initial_volume)
-              continue;
-            const bool by_volume = info.column == PointColumn::volume_ratio ||
-                                   info.column == PointColumn::pressure;
-            mix(values, keep, drop, by_volume ? volume_share : mass_share);
-          }
-    mass[keep] += mass[drop];
-    volume[keep] += volume[drop];
+          merge_values(info.merge,
+                       points.data(info.column, c)[drop],
+                       mass_share,
+                       volume_share,
+                       points.data(info.column, c)[keep]);
     alive.erase(std::find(alive.begin(), alive.end(), drop));
     return drop;
   }

@@ -30,12 +30,12 @@ namespace seiche
                                 Occupancy<dim>            &grid_occupancy,
                                 const RowMass<dim>        &grid_row_mass,
                                 const BodyForce<dim>      &force,
-                                const double               fluid_density)
+                                const CellMaterials<dim>  &cell_materials)
     : conditions(wall_conditions)
     , occupancy(grid_occupancy)
     , row_mass(grid_row_mass)
     , body_force(force)
-    , density(fluid_density)
+    , materials(cell_materials)
     , exists(grid_occupancy.locator.grid.parameters.any_unilateral())
   {}
 
@@ -102,7 +102,7 @@ namespace seiche
              .norm());
         contact.pressing =
           std::max(0., state.pressure_guess.local_element(contact.node)) *
-          mass / density / contact.width;
+          mass / materials.density_of_node(contact.node) / contact.width;
         contact.releases     = 0;
         const unsigned int i = dim * contact.node + contact.component;
         const double       velocity =

@@ -91,7 +91,7 @@ namespace seiche
       Seeder(const SeedingParameters           &seeding_parameters,
              const std::vector<FluidBody<dim>> &body_list,
              const unsigned int                 index,
-             const double                       rest_density,
+             const Material                    &body_material,
              PointCloud<dim>                   &target);
 
       /// Every cell of the finest lattice inside the cell.
@@ -145,12 +145,12 @@ namespace seiche
     Seeder<dim>::Seeder(const SeedingParameters           &seeding_parameters,
                         const std::vector<FluidBody<dim>> &body_list,
                         const unsigned int                 index,
-                        const double                       rest_density,
+                        const Material                    &body_material,
                         PointCloud<dim>                   &target)
       : parameters(seeding_parameters)
       , body(body_list[index])
       , body_index(index)
-      , density(rest_density)
+      , density(body_material.density)
       , points(target)
       , pieces(target.locator,
                regions(body_list),
@@ -221,6 +221,9 @@ namespace seiche
                         velocity.vector_value(x, /*t=*/0.),
                         density * piece.volume,
                         piece.volume);
+          if (points.has(PointColumn::material))
+            points.data(PointColumn::material)[points.size() - 1] =
+              body.material;
           if (points.has(PointColumn::velocity_gradient))
             set_velocity_gradient(velocity, x, step);
           largest_share =
@@ -285,7 +288,7 @@ namespace seiche
   seed_bodies(const SeedingParameters           &parameters,
               const std::vector<FluidBody<dim>> &bodies,
               const InputFile                   &input,
-              const double                       density,
+              const std::vector<Material>       &materials,
               PointCloud<dim>                   &points)
   {
     const double n_places =
@@ -303,7 +306,8 @@ namespace seiche
     double        smallest_spacing = std::numeric_limits<double>::max();
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        Seeder<dim> seeder(parameters, bodies, b, density, points);
+        const Material &material = materials[bodies[b].material];
+        Seeder<dim>     seeder(parameters, bodies, b, material, points);
         for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
           seeder.fill(cell);
         smallest_spacing = std::min(smallest_spacing, seeder.smallest_spacing);
@@ -316,7 +320,7 @@ namespace seiche
           {bodies[b].name,
            dealii::Utilities::MPI::sum(seeder.n_points, points.communicator),
            dealii::Utilities::MPI::sum(seeder.mass, points.communicator),
-           density * bodies[b].region->volume()});
+           material.density * bodies[b].region->volume()});
       }
     points.locate();
     result.n_points = points.n_global();
@@ -331,12 +335,12 @@ namespace seiche
   seed_bodies<2>(const SeedingParameters &,
                  const std::vector<FluidBody<2>> &,
                  const InputFile &,
-                 const double,
+                 const std::vector<Material> &,
                  PointCloud<2> &);
   template SeedingResult
   seed_bodies<3>(const SeedingParameters &,
                  const std::vector<FluidBody<3>> &,
                  const InputFile &,
-                 const double,
+                 const std::vector<Material> &,
                  PointCloud<3> &);
 } // namespace seiche

@@ -84,8 +84,11 @@ namespace seiche
     class MaterialPoints : public Quadrature<dim>
     {
     public:
-      MaterialPoints(const PointCloud<dim> &points, const VolumeRatio ratio)
+      MaterialPoints(const PointCloud<dim>    &points,
+                     const CellMaterials<dim> &materials,
+                     const VolumeRatio         ratio)
         : points(points)
+        , materials(materials)
         , ratio(ratio)
       {}
 
@@ -94,50 +97,79 @@ namespace seiche
           CellQuadrature<dim> &quadrature) const override
       {
         quadrature.clear();
-        append(cell, nullptr, quadrature);
+        append(
+          cell, [](const std::size_t) { return 1.; }, quadrature);
         quadrature.pad();
       }
 
-      /// The cell's points, of each a share, which may be zero (null: whole).
+      /// The cell's points, material by material; @p share of a point, which
+      /// may be zero, by its number in the cell.
+      template <typename Share>
       void
       append(const unsigned int   cell,
-             const double        *shares,
+             const Share         &share,
              CellQuadrature<dim> &quadrature) const
+      {
+        if (!materials.is_mixed(cell))
+          {
+            append_part(cell, materials.of_cell(cell), share, quadrature);
+            return;
+          }
+        for (const Material &material : materials.all())
+          append_part(cell, material, share, quadrature);
+      }
+
+    private:
+      template <typename Share>
+      void
+      append_part(const unsigned int   cell,
+                  const Material      &material,
+                  const Share         &share,
+                  CellQuadrature<dim> &quadrature) const
       {
         const double *mass   = points.data(PointColumn::mass);
         const double *volume = points.data(PointColumn::initial_volume);
         const double *J_p    = points.data(PointColumn::volume_ratio);
+        const bool    is_all = !materials.is_mixed(cell);
         const auto    first  = points.first_point(cell);
+        bool          begun  = false;
         for (std::size_t p = first; p < points.first_point(cell + 1); ++p)
-          if (const double share = shares != nullptr ? shares[p - first] : 1.;
-              share > 0.)
-            quadrature.push_back(points.locator.to_unit(cell,
-                                                        points.position(p)),
-                                 share * mass[p],
-                                 share * volume[p],
-                                 ratio == VolumeRatio::one ? 1. : J_p[p]);
+          if (const double weight = share(p - first);
+              weight > 0. &&
+              (is_all || &materials.of_point(points, p) == &material))
+            {
+              if (!begun)
+                quadrature.begin_part(material);
+              begun = true;
+              quadrature.push_back(points.locator.to_unit(cell,
+                                                          points.position(p)),
+                                   weight * mass[p],
+                                   weight * volume[p],
+                                   ratio == VolumeRatio::one ? 1. : J_p[p]);
+            }
       }
 
-    private:
-      const PointCloud<dim> &points;
-      const VolumeRatio      ratio;
+      const PointCloud<dim>    &points;
+      const CellMaterials<dim> &materials;
+      const VolumeRatio         ratio;
     };
 
     /// The inside of the free surface: Gauss points in full cells, as many in
-    /// cut ones; and the loose points.
+    /// cut ones; and the loose points. Where materials meet only the points
+    /// know which is where: they stand for the inside.
     template <int dim>
     class CutCells : public Quadrature<dim>
     {
     public:
-      CutCells(const PointCloud<dim> &points,
-               const Fill<dim>       &fill,
-               const double           density,
-               const VolumeRatio      ratio)
+      CutCells(const PointCloud<dim>    &points,
+               const Fill<dim>          &fill,
+               const CellMaterials<dim> &materials,
+               const VolumeRatio         ratio)
         : points(points)
         , fill(fill)
-        , density(density)
+        , materials(materials)
         , ratio(ratio)
-        , material_points(points, ratio)
+        , material_points(points, materials, ratio)
         , gauss(fill.occupancy.fe.degree + 1)
       {}
 
@@ -145,7 +177,9 @@ namespace seiche
       get(const unsigned int   cell,
           CellQuadrature<dim> &quadrature) const override
       {
-        if (fill.is_full(cell))
+        if (materials.is_mixed(cell))
+          get_mixed(cell, quadrature);
+        else if (fill.is_full(cell))
           get_full(cell, quadrature);
         else
           get_cut(cell, quadrature);
@@ -156,16 +190,19 @@ namespace seiche
       void
       get_full(const unsigned int cell, CellQuadrature<dim> &quadrature) const
       {
+        const Material  &material = materials.of_cell(cell);
         const double     measure  = points.locator.measure(cell);
         const bool       is_equal = ratio == VolumeRatio::one;
         constexpr double same     = 1e-12; // equal cells, in the last digits
         if (is_equal &&
-            std::abs(quadrature.full_measure - measure) < same * measure)
+            std::abs(quadrature.full_measure - measure) < same * measure &&
+            quadrature.parts[0].material == &material)
           return;
         quadrature.clear();
+        quadrature.begin_part(material);
         const LinearRatio<dim> J = ratio_of(points, cell, ratio);
         for (unsigned int q = 0; q < gauss.size(); ++q)
-          add(gauss.point(q), measure * gauss.weight(q), J, quadrature);
+          add(material.density, gauss.point(q), measure * gauss.weight(q), J, quadrature);
         quadrature.full_measure = is_equal ? measure : 0.;
       }
 
@@ -174,20 +211,64 @@ namespace seiche
       {
         quadrature.clear();
         if (const double *loose = fill.loose_shares(points, cell))
-          material_points.append(cell, loose, quadrature);
+          material_points.append(
+            cell,
+            [loose](const std::size_t p) { return loose[p]; },
+            quadrature);
         const double share = fill.surface().inside_share(cell);
         if (share == 0.)
           return;
+        const Material &material = materials.of_cell(cell);
+        if (quadrature.parts.empty())
+          quadrature.begin_part(material);
         const LinearRatio<dim> J = ratio_of(points, cell, ratio);
         const double           volume =
           share * points.locator.measure(cell) / CutCell<dim>::n_vertices;
         for (const Point<dim> &x : fill.surface().rule(cell))
-          add(x, volume, J, quadrature);
+          add(material.density, x, volume, J, quadrature);
+      }
+
+      /// Each material with its share of the inside, everywhere in the cell, and
+      /// all with the mean density: a pressure without a kink in the cell
+      /// balances the weight then, at every node.
+      void
+      get_mixed(const unsigned int cell, CellQuadrature<dim> &quadrature) const
+      {
+        quadrature.clear();
+        if (const double *loose = fill.loose_shares(points, cell))
+          material_points.append(
+            cell, [loose](const std::size_t p) { return loose[p]; }, quadrature);
+        const double inside =
+          fill.surface().inside_share(cell) * points.locator.measure(cell);
+        if (inside == 0.)
+          return;
+        const LinearRatio<dim> J = ratio_of(points, cell, ratio);
+        for (unsigned int m = 0; m < materials.all().size(); ++m)
+          if (const double share = materials.share(m, cell); share > 0.)
+            {
+              quadrature.begin_part(materials.all()[m]);
+              const double volume = share * inside;
+              if (fill.is_full(cell))
+                for (unsigned int q = 0; q < gauss.size(); ++q)
+                  add(materials.density(cell),
+                      gauss.point(q),
+                      volume * gauss.weight(q),
+                      J,
+                      quadrature);
+              else
+                for (const Point<dim> &x : fill.surface().rule(cell))
+                  add(materials.density(cell),
+                      x,
+                      volume / CutCell<dim>::n_vertices,
+                      J,
+                      quadrature);
+            }
       }
 
       /// A point that is no material one, of a volume at t_n: V0 = V_n/J_n.
       void
-      add(const Point<dim>       &x,
+      add(const double            density,
+          const Point<dim>       &x,
           const double            volume_n,
           const LinearRatio<dim> &J,
           CellQuadrature<dim>    &quadrature) const
@@ -199,7 +280,7 @@ namespace seiche
 
       const PointCloud<dim>    &points;
       const Fill<dim>          &fill;
-      const double              density;
+      const CellMaterials<dim> &materials;
       const VolumeRatio         ratio;
       const MaterialPoints<dim> material_points;
       const QGauss<dim>         gauss;
@@ -223,13 +304,15 @@ namespace seiche
   {
     constexpr double   negligible = 1e-150; // its square is a number, too
     const unsigned int n_points   = size;
-    if (n_points > 0)
-      while (size % n_lanes_of_register != 0)
-        push_back(point(0),
-                  negligible * mass[0],
-                  negligible * volume[0],
-                  volume_ratio[0]);
-    size = n_points;
+    if (n_points == 0)
+      return;
+    const unsigned int last = n_points - 1;
+    while (size % n_lanes_of_register != 0)
+      push_back(point(last),
+                negligible * mass[last],
+                negligible * volume[last],
+                volume_ratio[last]);
+    size = parts.back().end = n_points;
   }
 
   void
@@ -259,14 +342,14 @@ namespace seiche
 
   template <int dim>
   std::unique_ptr<Quadrature<dim>>
-  make_quadrature(const PointCloud<dim> &points,
-                  const Fill<dim>       &fill,
-                  const double           density,
-                  const VolumeRatio      ratio)
+  make_quadrature(const PointCloud<dim>    &points,
+                  const Fill<dim>          &fill,
+                  const CellMaterials<dim> &materials,
+                  const VolumeRatio         ratio)
   {
     if (fill.has_surface())
-      return std::make_unique<CutCells<dim>>(points, fill, density, ratio);
-    return std::make_unique<MaterialPoints<dim>>(points, ratio);
+      return std::make_unique<CutCells<dim>>(points, fill, materials, ratio);
+    return std::make_unique<MaterialPoints<dim>>(points, materials, ratio);
   }
 
 #define INSTANTIATE(dim)                                          \
@@ -274,7 +357,7 @@ namespace seiche
   template std::unique_ptr<Quadrature<dim>> make_quadrature<dim>( \
     const PointCloud<dim> &,                                      \
     const Fill<dim> &,                                            \
-    const double,                                                 \
+    const CellMaterials<dim> &,                                   \
     const VolumeRatio);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -241,6 +242,10 @@ namespace seiche
                       "The fluid is where this function of x, y[, z] is "
                       "negative. A continuous one; it is evaluated in the "
                       "whole domain, walls included.");
+    prm.add_parameter("Material",
+                      material,
+                      "Name of the subsection \"Material NAME\" that "
+                      "describes its fluid; empty: subsection Fluid. [-]");
     prm.add_parameter("Velocity",
                       velocity,
                       "Velocity at the start: one expression of x, y[, z] "
@@ -288,11 +293,36 @@ namespace seiche
 
 
 
+  namespace
+  {
+    /// 0: of the Fluid; else place in the list of names and one.
+    template <int dim>
+    unsigned int
+    material_number(const InputFile                &input,
+                    const FluidBodyParameters<dim> &body,
+                    const std::vector<std::string> &names)
+    {
+      if (body.material.empty())
+        return 0;
+      const auto place = std::find(names.begin(), names.end(), body.material);
+      input.require(place != names.end(),
+                    body.path("Material"),
+                    "there is no subsection \"Material " + body.material +
+                      "\"; add it with the fluid's Density and Dynamic "
+                      "viscosity, or leave the entry empty for that of the "
+                      "subsection Fluid.");
+      return place - names.begin() + 1;
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::vector<FluidBody<dim>>
   make_fluid_bodies(const std::vector<FluidBodyParameters<dim>> &bodies,
                     const InputFile                             &input,
-                    const Box<dim>                              &domain)
+                    const Box<dim>                              &domain,
+                    const std::vector<std::string>              &material_names)
   {
     input.require(!bodies.empty(),
                   "Fluid body NAME/Shape",
@@ -305,8 +335,9 @@ namespace seiche
     for (const auto &body : bodies)
       {
         FluidBody<dim> made;
-        made.name   = body.name;
-        made.region = body.make_region(input, domain);
+        made.name     = body.name;
+        made.region   = body.make_region(input, domain);
+        made.material = material_number(input, body, material_names);
         // a place inside the body's box: the corner of the domain may be a
         // singular point of the velocity
         made.velocity = std::make_unique<Expression<dim>>(
@@ -327,9 +358,11 @@ namespace seiche
   template std::vector<FluidBody<2>>
   make_fluid_bodies(const std::vector<FluidBodyParameters<2>> &,
                     const InputFile &,
-                    const Box<2> &);
+                    const Box<2> &,
+                    const std::vector<std::string> &);
   template std::vector<FluidBody<3>>
   make_fluid_bodies(const std::vector<FluidBodyParameters<3>> &,
                     const InputFile &,
-                    const Box<3> &);
+                    const Box<3> &,
+                    const std::vector<std::string> &);
 } // namespace seiche

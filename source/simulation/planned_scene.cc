@@ -18,7 +18,10 @@ namespace seiche
       scene.add_parameters(prm);
       input.parse_into(prm);
       scene.check(input);
-      return make_fluid_bodies(scene.bodies, input, scene.grid.domain());
+      return make_fluid_bodies(scene.bodies,
+                               input,
+                               scene.grid.domain(),
+                               scene.material_names());
     }
   } // namespace
 

@@ -51,6 +51,11 @@ namespace seiche
         bodies.emplace_back();
         bodies.back().name = name;
       }
+    for (const std::string &name : input.instances(MaterialParameters::kind))
+      {
+        further_materials.emplace_back();
+        further_materials.back().name = name;
+      }
     for (const std::string &name : input.instances(TableParameters::kind))
       {
         tables.emplace_back();
@@ -73,6 +78,8 @@ namespace seiche
     body_force.add_parameters(prm);
     tank_motion.add_parameters(prm);
     fluid.add_parameters(prm);
+    for (auto &material : further_materials)
+      material.add_parameters(prm);
     for (auto &body : bodies)
       body.add_parameters(prm);
     seeding.add_parameters(prm);
@@ -112,7 +119,10 @@ namespace seiche
       of_sections.emplace_back([&]() { table.check(input_file); });
     for (const auto &body : bodies)
       of_sections.emplace_back([&]() { body.check(input_file); });
+    for (auto &material : further_materials)
+      of_sections.emplace_back([&]() { material.check(input_file); });
     require_all(of_sections);
+    check_materials(input_file);
     check_choices(input_file);
 
     input_file.require(
@@ -204,6 +214,45 @@ namespace seiche
   }
 
   template <int dim>
+  void
+  Scene<dim>::check_materials(const InputFile &input_file)
+  {
+    materials = {fluid.material.material()};
+    for (const MaterialParameters &material : further_materials)
+      {
+        materials.push_back(material.material());
+        const bool is_used =
+          std::any_of(bodies.begin(), bodies.end(), [&](const auto &body) {
+            return body.material == material.name;
+          });
+        for (const char *entry : {"/Density", "/Dynamic viscosity"})
+          input_file.read_only_if(is_used,
+                                  material.section() + entry,
+                                  "a Fluid body with Material = " +
+                                    material.name);
+      }
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  Scene<dim>::material_names() const
+  {
+    std::vector<std::string> names;
+    for (const MaterialParameters &material : further_materials)
+      names.push_back(material.name);
+    return names;
+  }
+
+  template <int dim>
+  std::set<PointColumn>
+  Scene<dim>::point_columns() const
+  {
+    std::set<PointColumn> result = Transfer<dim>::columns(transfer);
+    result.merge(CellMaterials<dim>::columns(materials));
+    return result;
+  }
+
+  template <int dim>
   bool
   Scene<dim>::has_pressure_of_end() const
   {
@@ -283,16 +332,6 @@ namespace seiche
   Scene<dim>::make_tank_motion() const
   {
     return {tank_motion, grid, input, time.end_time, time.step};
-  }
-
-  template <int dim>
-  MaterialConstants
-  Scene<dim>::material() const
-  {
-    return {fluid.density,
-            fluid.bulk_modulus,
-            NewtonianLaw{fluid.dynamic_viscosity},
-            VolumeLaw{fluid.has_logarithmic_volume()}};
   }
 
   template struct Scene<2>;

@@ -214,8 +214,10 @@ namespace seiche
                                 const BodyForce<dim> &force,
                                 const CostModel      &cost)
   {
-    const double nu = scene.fluid.dynamic_viscosity / scene.fluid.density;
-    const double dt = scene.time.end_time / std::max(1., steps);
+    double nu = 0.; // kinematic, at a shear rate of 1/s
+    for (const Material &material : scene.materials)
+      nu = std::max(nu, material.law->viscosity(1.) / material.density);
+    const double dt        = scene.time.end_time / std::max(1., steps);
     const double diffusion = nu * dt / (smallest.edge * smallest.edge);
     const double gauss =
       Utilities::fixed_power<dim>(scene.formulation.degree + 1.);

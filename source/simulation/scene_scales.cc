@@ -29,6 +29,9 @@ namespace seiche
 
     /// Cells that sound may cross in a step: doc/methods.md, stability.
     constexpr double stiffest = 10.;
+    /// At which viscosities that depend on it are compared [1/s].
+    constexpr double usual_shear = 1.;
+
     /// Least bulk modulus over rho g H, the same.
     constexpr double softest = 5.;
 
@@ -68,9 +71,7 @@ namespace seiche
                                body_force.tank,
                                scene.input,
                                scene.time.end_time))
-    , density(scene.fluid.density)
-    , viscosity(scene.fluid.dynamic_viscosity)
-    , modulus(scene.fluid.bulk_modulus)
+    , modulus(scene.fluid.volume_law.bulk_modulus)
     , is_mixed(scene.formulation.is_mixed())
     , step(scene.time.step)
     , is_fixed(!scene.time.is_controlled())
@@ -82,12 +83,19 @@ namespace seiche
     double         top    = std::numeric_limits<double>::lowest();
     double         square = 0., n = 0.;
     Tensor<1, dim> sum;
+    for (const Material &material : scene.materials)
+      {
+        density = std::max(density, material.density);
+        viscosity =
+          std::max(viscosity,
+                   material.law->viscosity(usual_shear * usual_shear));
+      }
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         const SampledBody<dim> &body = samples[b];
         if (body.places.empty())
           continue;
-        mass += density * body.volume;
+        mass += scene.materials[bodies[b].material].density * body.volume;
         mass_is_exact  = mass_is_exact && body.is_whole;
         depth_is_exact = depth_is_exact && body.ends_at_box;
         bottom         = std::min(bottom, body.bottom);

@@ -51,17 +51,19 @@ namespace seiche
     , locator(grid)
     , time_scheme(make_time_scheme<dim>(scene.time_scheme,
                                         scene.fluid.is_incompressible()))
-    , formulation(make_formulation<dim>(scene.formulation, scene.material()))
+    , formulation(
+        make_formulation<dim>(scene.formulation, scene.fluid.volume_law))
     , points(locator, point_columns(), communicator)
     , seeding(fill_points(start.get()))
     , mesh_adaptation(grid, locator, points, scene.quadrature.has_surface())
     , occupancy(locator, scene.formulation.degree)
     , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
+    , materials(scene.materials, occupancy)
     , density_projection(fill, scene.point_control.density_rate)
     , point_control(scene.point_control, points, occupancy, fill)
     , tank_motion(scene.make_tank_motion())
     , body_force(scene.body_force, tank_motion, scene.input)
-    , transfer(scene.transfer, fill, scene.fluid.density, scene.volume_update())
+    , transfer(scene.transfer, fill, materials, scene.volume_update())
     , volume_from_pressure(scene.volume_update() ==
                            VolumeUpdate::from_the_pressure)
     , step_solver(scene,
@@ -72,6 +74,7 @@ namespace seiche
                   points,
                   occupancy,
                   fill,
+                  materials,
                   report,
                   timer)
     , time_stepper(scene.time, step_advice(scene, planned.plan.scales))
@@ -246,6 +249,7 @@ namespace seiche
         point_control.update();
         points_are_controlled = true;
       }
+    materials.update(points);
     {
       const TimerTree::Scope scope(timer, "pattern");
       step_solver.reinit();

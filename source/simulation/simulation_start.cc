@@ -70,7 +70,7 @@ namespace seiche
   std::set<PointColumn>
   Simulation<dim>::point_columns() const
   {
-    auto columns = Transfer<dim>::columns(scene.transfer);
+    auto columns = scene.point_columns();
     if (carries_acceleration())
       columns.insert(PointColumn::acceleration);
     return columns;

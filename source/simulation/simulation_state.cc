@@ -14,7 +14,7 @@ namespace seiche
   {
     if (start == nullptr)
       return seed_bodies(
-        scene.seeding, bodies, scene.input, scene.fluid.density, points);
+        scene.seeding, bodies, scene.input, scene.materials, points);
     if (wall_motion.any())
       {
         double time = 0.;

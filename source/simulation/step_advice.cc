@@ -48,7 +48,7 @@ namespace seiche
        "Fluid/Bulk modulus = infinite"},
       {!is_mixed,
        fmt::format("Fluid/Bulk modulus = {:.3g}",
-                   larger_modulus * scene.fluid.bulk_modulus)},
+                   larger_modulus * scene.fluid.volume_law.bulk_modulus)},
       {scene.time.accepts_failing_steps(), "Time/Failing steps = repeated"},
       {surface.point_inertia < 1., "Free surface/Point inertia = 1"},
       {surface.acceleration < 0.1, "Free surface/Ghost acceleration = 0.1"},

@@ -29,16 +29,17 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  StepSolver<dim>::StepSolver(const Scene<dim>       &run_scene,
-                              const Formulation<dim> &formulation,
-                              const TimeScheme<dim>  &run_time_scheme,
-                              const BodyForce<dim>   &body_force,
-                              const WallMotion<dim>  &run_wall_motion,
-                              const PointCloud<dim>  &points,
-                              Occupancy<dim>         &run_occupancy,
-                              const Fill<dim>        &run_fill,
-                              RunReport              &run_report,
-                              TimerTree              &run_timer)
+  StepSolver<dim>::StepSolver(const Scene<dim>         &run_scene,
+                              const Formulation<dim>   &formulation,
+                              const TimeScheme<dim>    &run_time_scheme,
+                              const BodyForce<dim>     &body_force,
+                              const WallMotion<dim>    &run_wall_motion,
+                              const PointCloud<dim>    &points,
+                              Occupancy<dim>           &run_occupancy,
+                              const Fill<dim>          &run_fill,
+                              const CellMaterials<dim> &materials,
+                              RunReport                &run_report,
+                              TimerTree                &run_timer)
     : scene(run_scene)
     , time_scheme(run_time_scheme)
     , wall_motion(run_wall_motion)
@@ -52,7 +53,7 @@ namespace seiche
     , quadrature(
         make_quadrature(points,
                         fill,
-                        scene.fluid.density,
+                        materials,
                         is_incompressible ? VolumeRatio::one :
                         scene.volume_update() == VolumeUpdate::at_the_point ?
                                             VolumeRatio::mean :
@@ -64,19 +65,16 @@ namespace seiche
                measures_forces || scene.grid.any_friction() ||
                  scene.grid.any_unilateral())
     , wall_friction(occupancy, row_mass)
-    , wall_contact(wall_conditions,
-                   occupancy,
-                   row_mass,
-                   body_force,
-                   scene.fluid.density)
+    , wall_contact(wall_conditions, occupancy, row_mass, body_force, materials)
     , matrix(occupancy, has_pressure)
     , assembler(formulation,
                 *quadrature,
                 fill,
+                materials,
                 body_force,
                 scene.free_surface,
                 timer)
-    , linear_solver(scene.linear_solver, scene.material(), timer)
+    , linear_solver(scene.linear_solver, timer)
     , velocity_projection(assembler,
                           matrix,
                           linear_solver,
@@ -152,7 +150,7 @@ namespace seiche
       time_scheme.offsets(state, state.dt, inertia_offset, rate_offset);
       wall_conditions.set_displacement(state, step, rate_offset);
       wall_contact.begin_iteration(step, rate_offset);
-      assembler.begin(step, state.time, inertia_offset, rate_offset);
+      assembler.begin(step, state, inertia_offset, rate_offset);
       const unsigned int of_projection = last.krylov_iterations;
       const bool         accepts       = scene.time.accepts_failing_steps();
       last = newton.solve(state, if_unconverged(accepts, is_repeated));

@@ -13,10 +13,12 @@ namespace seiche
   Assembler<dim>::Assembler(const Formulation<dim>      &weak_form,
                             const Quadrature<dim>       &rule,
                             const Fill<dim>             &grid_fill,
+                            const CellMaterials<dim>    &cell_materials,
                             const BodyForce<dim>        &force,
                             const FreeSurfaceParameters &surface,
                             TimerTree                   &timer_tree)
     : formulation(weak_form)
+    , materials(cell_materials)
     , free_surface(surface)
     , quadrature(rule)
     , fill(grid_fill)
@@ -29,15 +31,17 @@ namespace seiche
   template <int dim>
   void
   Assembler<dim>::begin(const StepCoefficients &coefficients,
-                        const double            start_time,
+                        const GridState<dim>   &state,
                         const Vector           &acceleration_offset,
                         const Vector           &velocity_offset)
   {
     step           = coefficients;
-    time           = start_time;
+    time           = state.time;
     inertia_offset = &acceleration_offset;
     rate_offset    = &velocity_offset;
     projection     = nullptr;
+    if (step.viscous && !materials.has_constant_viscosity())
+      find_viscosities(state);
   }
 
   template <int dim>
@@ -45,18 +49,6 @@ namespace seiche
   Assembler<dim>::set_projection(const BlockVector *projected)
   {
     projection = projected;
-  }
-
-  template <int dim>
-  Tau
-  Assembler<dim>::reference_tau(const double size, const double force) const
-  {
-    return formulation.stabilization.evaluate(
-      formulation.tau_arguments(step,
-                                size,
-                                occupancy.fe.degree,
-                                /*speed=*/0.,
-                                force));
   }
 
   template <int dim>
@@ -88,8 +80,8 @@ namespace seiche
                        ghost_coefficients(free_surface,
                                           *face,
                                           matrix.h,
-                                          formulation.material.density,
-                                          ghost_tau(size, degree),
+                                          density(*face),
+                                          ghost_tau(*face, size, degree),
                                           step.damping));
             };
             with_degree(std::max(occupancy.degree(face->lower),
@@ -105,7 +97,7 @@ namespace seiche
   Assembler<dim>::closed_chambers() const
   {
     const bool has_level = !formulation.has_pressure() ||
-                           !formulation.material.is_incompressible() ||
+                           !formulation.volume_law.is_incompressible() ||
                            !fill.closed_chambers().any();
     return has_level ? nullptr : &fill.closed_chambers();
   }
@@ -273,8 +265,8 @@ namespace seiche
   {
     const Vector &u = state.displacement();
     return formulation.has_pressure() && step.theta == 0. && !step.viscous &&
-           (!step.elastic || formulation.material.is_incompressible()) &&
-           tau_is_uniform &&
+           (!step.elastic || formulation.volume_law.is_incompressible()) &&
+           tau_is_uniform && !materials.are_several() &&
            std::all_of(u.begin(), u.end(), [](const double value) {
              return value == 0.;
            });
@@ -330,11 +322,21 @@ namespace seiche
 
   template <int dim>
   double
-  Assembler<dim>::ghost_tau(const double size, const unsigned int degree) const
+  Assembler<dim>::density(const GhostFace &face) const
   {
+    return 0.5 *
+           (materials.density(face.lower) + materials.density(face.upper));
+  }
+
+  template <int dim>
+  double
+  Assembler<dim>::ghost_tau(const GhostFace   &face,
+                            const double       size,
+                            const unsigned int degree) const
+  {
+    const double mu = 0.5 * (viscosity(face.lower) + viscosity(face.upper));
     return 1. / formulation.stabilization.inverse_transient_tau(
-                  formulation.tau_arguments(
-                    step, size, degree, /*speed=*/0., /*force=*/0.));
+                  tau_arguments(size, degree, density(face), mu, /*force=*/0.));
   }
 
   template class Assembler<2>;

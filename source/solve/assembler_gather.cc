@@ -21,8 +21,9 @@ namespace seiche
     data.size           = dim == 2 ? std::sqrt(locator.measure(cell)) :
                                      std::cbrt(locator.measure(cell));
     data.lumped         = formulation.lumps_inertia;
-    data.extent_inertia = free_surface.point_inertia *
-                          formulation.material.density *
+    data.density        = materials.density(cell);
+    data.viscosity      = viscosity(cell);
+    data.extent_inertia = free_surface.point_inertia * data.density *
                           fill.extent_moment(cell) * locator.measure(cell);
     quadrature.get(cell, data.quadrature);
 

@@ -42,28 +42,27 @@ namespace seiche
 
   template <int dim>
   void
-  BlockPreconditioner<dim>::initialize(const BlockMatrix<dim>  &system_matrix,
-                                       const Assembler<dim>    &assembler,
-                                       const MaterialConstants &material,
-                                       const Vector            &mass)
+  BlockPreconditioner<dim>::initialize(const BlockMatrix<dim> &system_matrix,
+                                       const Assembler<dim>   &assembler,
+                                       const Vector           &mass)
   {
     matrix                            = &system_matrix;
     kept                              = false;
     const StepCoefficients &c         = assembler.coefficients();
     const Occupancy<dim>   &occupancy = matrix->occupancy;
-    const double            viscosity = material.viscosity(c);
-    const double            inertia   = material.density * c.inertia;
-    const double            h         = occupancy.smallest_extent();
-    const double            bulk =
+    const double            viscosity = assembler.largest_viscosity();
+    const double inertia = assembler.materials.largest_density() * c.inertia;
+    const double h       = occupancy.smallest_extent();
+    const double bulk =
       matrix->has_pressure() ?
-                   assembler.reference_tau(h, assembler.body_force_scale()).continuity :
-                   material.bulk_modulus;
+        assembler.reference_tau(h, assembler.body_force_scale()).continuity :
+        assembler.formulation.volume_law.bulk_modulus;
     initialize_velocity((2. * viscosity * c.rate + bulk) / (inertia * h * h),
                         c.inertia);
     if (!matrix->has_pressure())
       return;
 
-    if (schur.initialize(*matrix, assembler, material, mass))
+    if (schur.initialize(*matrix, assembler, mass))
       kept = true;
   }
 

@@ -127,11 +127,8 @@ namespace seiche
   }
 
   template <int dim>
-  LinearSolver<dim>::LinearSolver(const LinearSolverParameters &p,
-                                  const MaterialConstants      &m,
-                                  TimerTree                    &t)
+  LinearSolver<dim>::LinearSolver(const LinearSolverParameters &p, TimerTree &t)
     : parameters(p)
-    , material(m)
     , timer(t)
     , preconditioner(multigrid_method(parameters.multigrid))
   {}
@@ -146,8 +143,8 @@ namespace seiche
     matrix                          = &system_matrix;
     mass                            = &node_mass;
     const Occupancy<dim> &occupancy = matrix->occupancy;
-    row_scale = material.density * assembler.coefficients().inertia *
-                occupancy.smallest_extent();
+    row_scale                       = assembler.materials.largest_density() *
+                assembler.coefficients().inertia * occupancy.smallest_extent();
     preconditioner.pressure_row_scale = row_scale;
 
     const types::global_dof_index unknowns =
@@ -158,7 +155,7 @@ namespace seiche
     closed = assembler.closed_chambers();
     set_up = [this, &assembler]() {
       const TimerTree::Scope scope(timer, "preconditioner");
-      preconditioner.initialize(*matrix, assembler, material, *mass);
+      preconditioner.initialize(*matrix, assembler, *mass);
     };
     if (!direct)
       set_up();

@@ -119,7 +119,7 @@ namespace seiche
     Norms          result;
     result.momentum = std::sqrt(Utilities::MPI::sum(force, communicator));
     result.volume   = std::sqrt(Utilities::MPI::sum(volume, communicator)) /
-                    assembler.formulation.material.density;
+                    assembler.materials.largest_density();
     return result;
   }
 

@@ -54,29 +54,28 @@ namespace seiche
 
   template <int dim>
   bool
-  SchurComplement<dim>::initialize(const BlockMatrix<dim>  &system_matrix,
-                                   const Assembler<dim>    &assembler,
-                                   const MaterialConstants &material,
-                                   const Vector            &mass)
+  SchurComplement<dim>::initialize(const BlockMatrix<dim> &system_matrix,
+                                   const Assembler<dim>   &assembler,
+                                   const Vector           &mass)
   {
     matrix                                = &system_matrix;
     closed                                = assembler.closed_chambers();
     const StepCoefficients &c             = assembler.coefficients();
     const Stabilization    &stabilization = assembler.formulation.stabilization;
-    set_viscous_part(2. * material.viscosity(c) * c.rate,
-                     material.density,
-                     mass);
+    const double            h             = matrix->occupancy.smallest_extent();
+    viscous                               = assembler.viscous_stiffness(
+      mass, least_volume * std::pow(h / matrix->occupancy.fe.degree, dim));
 
     // the hierarchy belongs to L/rho = D/(rho tau1); S = (L/rho)/C_a, where
     // the residual's inertia makes C vanish inside the fluid
     const bool scaled =
-      stabilization.is_active && stabilization.tau_is_uniform &&
+      stabilization.is_active && assembler.tau_follows_density() &&
       stabilization.residual_parts(/*orthogonal=*/false).inertia;
     factor = scaled ? c.inertia : 1.;
     if (scaled && generation == matrix->generation())
       return true;
 
-    generation = matrix->generation();
+    generation = scaled ? matrix->generation() : 0;
     hierarchy.reset();
     cholesky.clear();
     const MPI_Comm communicator = mass.get_mpi_communicator();
@@ -87,10 +86,9 @@ namespace seiche
                       communicator);
         return false;
       }
-    const double h = matrix->occupancy.smallest_extent();
     const double scale =
-      1. /
-      (material.density * assembler.reference_tau(h, /*force=*/0.).momentum);
+      1. / (assembler.materials.largest_density() *
+            assembler.reference_tau(h, /*force=*/0.).momentum);
     const std::vector<double> surface = surface_term(c.inertia);
     if (method.factorises_small &&
         matrix->occupancy.n_global_nodes() < cholesky_below<dim> &&
@@ -102,25 +100,6 @@ namespace seiche
       }
     hierarchy = method.make(scaled_rows(scale, surface), communicator);
     return false;
-  }
-
-  template <int dim>
-  void
-  SchurComplement<dim>::set_viscous_part(const double  viscous,
-                                         const double  density,
-                                         const Vector &mass)
-  {
-    viscous_factor = viscous;
-    if (viscous_factor == 0.)
-      return;
-    volume.reinit(mass, /*omit_zeroing=*/true);
-    const Occupancy<dim> &occupancy = matrix->occupancy;
-    const double          least =
-      least_volume *
-      std::pow(occupancy.smallest_extent() / occupancy.fe.degree, dim);
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
-      volume.local_element(i) =
-        std::max(mass.local_element(i) / density, least);
   }
 
   template <int dim>
@@ -257,10 +236,8 @@ namespace seiche
     else
       cholesky.solve(z.begin(), r.begin());
     z *= factor;
-    if (viscous_factor > 0.)
-      for (unsigned int i = 0; i < volume.locally_owned_size(); ++i)
-        z.local_element(i) +=
-          viscous_factor * r.local_element(i) / volume.local_element(i);
+    for (unsigned int i = 0; i < viscous.size(); ++i)
+      z.local_element(i) += viscous[i] * r.local_element(i);
     if (closed != nullptr)
       closed->remove_constants(z);
   }

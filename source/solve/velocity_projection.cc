@@ -44,7 +44,7 @@ namespace seiche
       solution.block(0).local_element(i) = 0.;
     });
     state.solution.update_ghost_values();
-    assembler.begin(coefficients, state.time, inertia_offset, rate_offset);
+    assembler.begin(coefficients, state, inertia_offset, rate_offset);
     BlockVector right_hand_side(state.solution), product(state.solution);
     right_hand_side.zero_out_ghost_values();
     assembler.residual(state, right_hand_side);

@@ -26,11 +26,11 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  MassMatrix<dim>::MassMatrix(const PointCloud<dim> &cloud,
-                              const Fill<dim>       &grid_fill,
-                              const double           density,
-                              const bool             ghost_penalty,
-                              const Vector          *masses_of_linear_cells)
+  MassMatrix<dim>::MassMatrix(const PointCloud<dim>    &cloud,
+                              const Fill<dim>          &grid_fill,
+                              const CellMaterials<dim> &materials,
+                              const bool                ghost_penalty,
+                              const Vector             *masses_of_linear_cells)
     : points(cloud)
     , fill(grid_fill)
     , occupancy(grid_fill.occupancy)
@@ -39,7 +39,7 @@ namespace seiche
     with_degree(occupancy.fe.degree, [&](const auto degree) {
       this->template collect_cells<degree>();
       if (ghost_penalty)
-        this->template collect_faces<degree>(density);
+        this->template collect_faces<degree>(materials);
     });
 
     inverse_diagonal.reinit(occupancy.vector_partitioner());
@@ -90,7 +90,7 @@ namespace seiche
   template <int dim>
   template <int degree>
   void
-  MassMatrix<dim>::collect_faces(const double density)
+  MassMatrix<dim>::collect_faces(const CellMaterials<dim> &materials)
   {
     GhostFaceMatrix<dim, degree> face_matrix;
     occupancy.for_each_assembled_face(
@@ -107,7 +107,8 @@ namespace seiche
         const double       factor =
           (fill.is_cut(lower) || fill.is_cut(upper) ? ghost_factor :
                                                       inner_factor) *
-          density * std::pow(face_matrix.h, 3);
+          0.5 * (materials.density(lower) + materials.density(upper)) *
+          std::pow(face_matrix.h, 3);
         Block block;
         block.nodes.assign(face_matrix.nodes, face_matrix.nodes + n);
         for (unsigned int a = 0; a < n; ++a)

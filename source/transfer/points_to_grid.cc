@@ -419,7 +419,7 @@ namespace seiche
                 lumped);
     const MassMatrix<dim> mass(points,
                                fill,
-                               density,
+                               materials,
                                /*ghost_penalty=*/true,
                                lumps ? &lumped.mass : nullptr);
     const auto            solve = [&](const PointColumn                      column,
@@ -447,7 +447,7 @@ namespace seiche
   {
     using Vector = typename GridState<dim>::Vector;
     const MassMatrix<dim> mass(
-      points, fill, density, /*ghost_penalty=*/false, /*lumped=*/nullptr);
+      points, fill, materials, /*ghost_penalty=*/false, /*lumped=*/nullptr);
     Vector momentum, velocity(state.velocity_n);
     mass.right_hand_side(PointColumn::velocity, momentum);
     mass.expand(velocity, momentum, state.mass, parameters.order - 1);

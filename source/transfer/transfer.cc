@@ -174,13 +174,13 @@ namespace seiche
   template <int dim>
   Transfer<dim>::Transfer(const TransferParameters &transfer_parameters,
                           const Fill<dim>          &grid_fill,
-                          const double              fluid_density,
+                          const CellMaterials<dim> &cell_materials,
                           const VolumeUpdate        volume_update)
     : parameters(transfer_parameters)
     , method(transfer_method(transfer_parameters.method))
     , fill(grid_fill)
     , occupancy(grid_fill.occupancy)
-    , density(fluid_density)
+    , materials(cell_materials)
     , mean_volume(volume_update == VolumeUpdate::nodal_mean)
   {}
 

@@ -125,6 +125,7 @@ def papers(folder):
             (["Walls/Contact = unilateral"], "hueeber2005", "schlichting1979"),
             (["Walls/Bottom friction = 0.01"], "schlichting1979", "hueeber2005"),
             (["Points/Shifting sweeps = 1"], "lind2012", "wood1980"),
+            (["Fluid/Viscosity law = power law"], "bird1987", "wood1980"),
             (["Quadrature/Rule = material points"], "bonet1998", "saye2015"),
             (["Formulation/Stabilization = OSGS"], "codina2002", "codina2008"),
             (["Formulation/Stabilization = split OSGS"], "codina2008", "lind2012"),

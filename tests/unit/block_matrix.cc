@@ -124,7 +124,11 @@ namespace
       , locator(grid)
       , points(locator, {}, communicator)
     {
-      seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
+      seed_bodies(scene.seeding,
+                  scene.bodies,
+                  scene.input,
+                  material_of_density(1000.),
+                  points);
       adaptation = std::make_unique<MeshAdaptation<dim>>(
         grid, locator, points, /*gauss_in_full_cells=*/true);
       occupancy = std::make_unique<Occupancy<dim>>(locator, /*degree=*/1);

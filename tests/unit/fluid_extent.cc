@@ -136,7 +136,6 @@ namespace
                              occupancy,
                              fill,
                              state,
-                             1.,
                              Tensor<1, dim>(),
                              std::numeric_limits<double>::infinity(),
                              1.,

@@ -92,8 +92,11 @@ namespace
     seiche::PointCloud<dim>           points(locator,
                                    {seiche::PointColumn::velocity_gradient},
                                    communicator);
-    seiche::seed_bodies(
-      scene.seeding, scene.bodies, scene.input, /*density=*/1000., points);
+    seiche::seed_bodies(scene.seeding,
+                        scene.bodies,
+                        scene.input,
+                        material_of_density(1000.),
+                        points);
     for (std::size_t p = 0; p < points.size(); ++p)
       {
         points.data(seiche::PointColumn::pressure)[p] =

@@ -178,8 +178,11 @@ namespace
     seiche::PointCloud<dim>     points(locator,
                                    {PointColumn::velocity_gradient},
                                    communicator);
-    seiche::seed_bodies(
-      scene.seeding, scene.bodies, scene.input, /*density=*/100., points);
+    seiche::seed_bodies(scene.seeding,
+                        scene.bodies,
+                        scene.input,
+                        material_of_density(100.),
+                        points);
     disturb(points);
     seiche::Occupancy<dim> occupancy(locator, /*degree=*/1);
     occupancy.update(points);

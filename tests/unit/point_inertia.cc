@@ -40,8 +40,11 @@ namespace
     seiche::BackgroundGrid<dim> grid(scene.grid_parameters, MPI_COMM_WORLD);
     seiche::CellLocator<dim>    locator(grid);
     seiche::PointCloud<dim>     points(locator, {}, MPI_COMM_WORLD);
-    seiche::seed_bodies(
-      scene.seeding, scene.bodies, scene.input, /*density=*/100., points);
+    seiche::seed_bodies(scene.seeding,
+                        scene.bodies,
+                        scene.input,
+                        material_of_density(100.),
+                        points);
     seiche::Occupancy<dim> occupancy(locator, /*degree=*/1);
     seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::material_points);
     occupancy.update(points);

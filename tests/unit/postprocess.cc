@@ -295,7 +295,6 @@ namespace
                                  occupancy,
                                  fill,
                                  state,
-                                 1000.,
                                  gravity,
                                  std::numeric_limits<double>::infinity(),
                                  theta,

@@ -39,7 +39,11 @@ namespace
     BackgroundGrid<dim> grid(scene.grid_parameters, communicator);
     CellLocator<dim>    locator(grid);
     PointCloud<dim>     points(locator, {}, communicator);
-    seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
+    seed_bodies(scene.seeding,
+                scene.bodies,
+                scene.input,
+                material_of_density(1000.),
+                points);
     Occupancy<dim> occupancy(locator, degree);
     occupancy.update(points);
     Fill<dim> fill(occupancy, QuadratureRule::cut_cells);

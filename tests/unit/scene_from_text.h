@@ -39,6 +39,13 @@ corner(const std::string &coordinate)
   return text;
 }
 
+/// The materials of a scene with one, inviscid, of this density [kg/m^3].
+inline std::vector<seiche::Material>
+material_of_density(const double density)
+{
+  return {{"", density, seiche::make_viscosity_laws().front().law}};
+}
+
 /// A parameter file with the text of a test; one per rank.
 inline std::string
 file_with(const std::string &text)
@@ -77,7 +84,7 @@ struct SceneFromText
     seeding.check(input);
     if (!entries.empty())
       bodies =
-        seiche::make_fluid_bodies(entries, input, grid_parameters.domain());
+        seiche::make_fluid_bodies(entries, input, grid_parameters.domain(), {});
   }
 
   seiche::InputFile                   input;

@@ -194,7 +194,11 @@ namespace
     BackgroundGrid<dim>      grid(scene.grid_parameters, communicator);
     CellLocator<dim>         locator(grid);
     PointCloud<dim>          points(locator, {}, communicator);
-    seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
+    seed_bodies(scene.seeding,
+                scene.bodies,
+                scene.input,
+                material_of_density(1000.),
+                points);
     MeshAdaptation<dim> adaptation(grid,
                                    locator,
                                    points,

@@ -17,8 +17,12 @@ namespace
     seiche::PointCloud<dim>           points(locator,
                                    {seiche::PointColumn::velocity_gradient},
                                    MPI_COMM_WORLD);
-    const seiche::SeedingResult       result = seiche::seed_bodies(
-      scene.seeding, scene.bodies, scene.input, /*density=*/2., points);
+    const seiche::SeedingResult       result =
+      seiche::seed_bodies(scene.seeding,
+                          scene.bodies,
+                          scene.input,
+                          material_of_density(2.),
+                          points);
 
     double                  mass = 0.;
     dealii::Point<dim>      centre;

@@ -109,8 +109,11 @@ namespace
     seiche::BackgroundGrid<dim> grid(scene.grid_parameters, MPI_COMM_WORLD);
     seiche::CellLocator<dim>    locator(grid);
     seiche::PointCloud<dim>     points(locator, {}, MPI_COMM_WORLD);
-    const auto                  result = seiche::seed_bodies(
-      scene.seeding, scene.bodies, scene.input, /*density=*/1., points);
+    const auto                  result = seiche::seed_bodies(scene.seeding,
+                                            scene.bodies,
+                                            scene.input,
+                                            material_of_density(1.),
+                                            points);
 
     double         mass = 0., lightest = 1.;
     Tensor<1, dim> checksum; // of ids and places
@@ -171,8 +174,11 @@ namespace
         seiche::BackgroundGrid<2> grid(scene.grid_parameters, MPI_COMM_WORLD);
         seiche::CellLocator<2>    locator(grid);
         seiche::PointCloud<2>     points(locator, {}, MPI_COMM_WORLD);
-        seiche::seed_bodies(
-          scene.seeding, scene.bodies, scene.input, /*density=*/1., points);
+        seiche::seed_bodies(scene.seeding,
+                            scene.bodies,
+                            scene.input,
+                            material_of_density(1.),
+                            points);
         for (std::size_t p = 0; p < points.size(); ++p)
           seeded[box][points.ids()[p]] = {
             {points.position(p)[0],

@@ -31,16 +31,22 @@ namespace
     PointCloud<dim>          points(locator,
                            Transfer<dim>::columns(parameters),
                            MPI_COMM_WORLD);
-    seed_bodies(scene.seeding, scene.bodies, scene.input, 1000., points);
+    seed_bodies(scene.seeding,
+                scene.bodies,
+                scene.input,
+                material_of_density(1000.),
+                points);
     Occupancy<dim> occupancy(locator, degree);
     occupancy.update(points);
     Fill<dim> fill(occupancy, QuadratureRule::cut_cells);
     fill.update(points);
-    const Transfer<dim> transfer(parameters,
+    const auto               fluid = material_of_density(1000.);
+    const CellMaterials<dim> materials(fluid, occupancy);
+    const Transfer<dim>      transfer(parameters,
                                  fill,
-                                 1000.,
+                                 materials,
                                  VolumeUpdate::at_the_point);
-    GridState<dim>      state;
+    GridState<dim>           state;
     state.reinit(occupancy, true, false);
     state.dt = 1.;
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)

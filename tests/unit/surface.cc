@@ -55,8 +55,11 @@ namespace
     seiche::BackgroundGrid<dim> grid(scene.grid_parameters, MPI_COMM_WORLD);
     seiche::CellLocator<dim>    locator(grid);
     seiche::PointCloud<dim>     points(locator, {}, MPI_COMM_WORLD);
-    seiche::seed_bodies(
-      scene.seeding, scene.bodies, scene.input, /*density=*/100., points);
+    seiche::seed_bodies(scene.seeding,
+                        scene.bodies,
+                        scene.input,
+                        material_of_density(100.),
+                        points);
     double *y = points.data(seiche::PointColumn::position, dim - 1);
     for (std::size_t p = 0; p < points.size(); ++p)
       y[p] = std::max(y[p] + rise * h, 1e-6);
@@ -128,8 +131,11 @@ namespace
     seiche::BackgroundGrid<dim> grid(scene.grid_parameters, MPI_COMM_WORLD);
     seiche::CellLocator<dim>    locator(grid);
     seiche::PointCloud<dim>     points(locator, {}, MPI_COMM_WORLD);
-    seiche::seed_bodies(
-      scene.seeding, scene.bodies, scene.input, /*density=*/100., points);
+    seiche::seed_bodies(scene.seeding,
+                        scene.bodies,
+                        scene.input,
+                        material_of_density(100.),
+                        points);
     seiche::Occupancy<dim> occupancy(locator,
                                      /*degree=*/1);
     seiche::Fill<dim>      fill(occupancy, seiche::QuadratureRule::cut_cells);

@@ -3,6 +3,7 @@
 // at random states of one cell with random quadrature points.
 #include <seiche/formulation/formulation.h>
 #include <seiche/formulation/point_inertia.h>
+#include <seiche/materials/power_law.h>
 
 #include <iostream>
 #include <limits>
@@ -23,9 +24,24 @@ namespace
            (2. * (generator() / static_cast<double>(generator.max())) - 1.);
   }
 
+  /// Of the density that the quadrature points have.
+  Material
+  material_of(const std::shared_ptr<ViscosityLaw> &law, const double viscosity)
+  {
+    law->scale = viscosity;
+    return {"", /*density=*/3., law};
+  }
+
+  Material
+  newtonian(const double viscosity)
+  {
+    return material_of(make_viscosity_laws().front().law, viscosity);
+  }
+
   template <int dim, int degree>
   void
   fill_cell(CellData<dim, degree> &cell,
+            const Material        &material,
             const double           theta,
             const bool             elastic_middle,
             const bool             lumped)
@@ -41,12 +57,15 @@ namespace
     cell.lumped                       = lumped;
     cell.size                         = 0.4;
     cell.start_speed                  = 1.3;
+    cell.density                      = material.density;
+    cell.viscosity                    = material.law->viscosity(1.);
     for (unsigned int d = 0; d < dim; ++d)
       {
         cell.extent[d]              = 0.4 + 0.1 * d;
         cell.constant_body_force[d] = -9.81 + d;
       }
     cell.quadrature.clear();
+    cell.quadrature.begin_part(material);
     for (unsigned int q = 0; q < 9; ++q)
       {
         dealii::Point<dim> x;
@@ -177,7 +196,7 @@ namespace
     const double          infinite = std::numeric_limits<double>::infinity();
     unsigned int          n_exact  = 0;
     CellData<dim, degree> cell;
-    for (const double viscosity : {0., 0.7})
+    for (const Material &material : {newtonian(0.), newtonian(0.7)})
       for (const double kappa : {50., infinite})
         for (const double theta : {0.5, 0.6, 1.})
           for (const auto &[logarithmic, lumped] :
@@ -185,16 +204,15 @@ namespace
             {
               if (!parameters.is_mixed() && std::isinf(kappa))
                 continue;
-              const auto formulation = make_formulation<dim>(
-                parameters,
-                {3., kappa, NewtonianLaw{viscosity}, VolumeLaw{logarithmic}});
-              fill_cell(cell, theta, logarithmic, lumped);
+              const auto formulation =
+                make_formulation<dim>(parameters, {kappa, logarithmic});
+              fill_cell(cell, material, theta, logarithmic, lumped);
               cell.orthogonal    = parameters.stabilization.is_orthogonal();
               const double error = tangent_error(*formulation, cell);
               if (error < 1e-6)
                 ++n_exact;
               else
-                std::cout << "mu " << viscosity << " kappa " << kappa
+                std::cout << "mu " << material.law->scale << " kappa " << kappa
                           << " theta " << theta << (lumped ? " lumped" : "")
                           << (logarithmic ? " logarithmic, J at theta" : "")
                           << ": WRONG, relative error " << error << '\n';
@@ -242,7 +260,7 @@ namespace
     for (const char *name : {"displacement-pressure", "displacement"})
       for (const char *stabilization : {"ASGS", "OSGS", "split OSGS"})
         for (const char *residual : {"whole", "without inertia"})
-          for (const double viscosity : {0., 0.7})
+          for (const Material &material : {newtonian(0.), newtonian(0.7)})
             for (const double theta : {0.5, 1.})
               for (const bool lumped : {false, true})
                 {
@@ -251,13 +269,10 @@ namespace
                   parameters.stabilization.stabilization     = stabilization;
                   parameters.stabilization.subscale_residual = residual;
                   const auto formulation =
-                    make_formulation<dim>(parameters,
-                                          {3.,
-                                           /*bulk_modulus=*/50.,
-                                           NewtonianLaw{viscosity},
-                                           VolumeLaw()});
+                    make_formulation<dim>(parameters, {/*bulk_modulus=*/50.});
                   CellData<dim, degree> cell;
-                  fill_cell(cell, theta, /*elastic_middle=*/false, lumped);
+                  fill_cell(
+                    cell, material, theta, /*elastic_middle=*/false, lumped);
                   cell.orthogonal = parameters.stabilization.is_orthogonal();
                   cell.extent_inertia = 0.02;
                   cell.turns          = true;
@@ -273,8 +288,8 @@ namespace
                     ++n_exact;
                   else
                     std::cout << name << ' ' << stabilization << ' ' << residual
-                              << " mu " << viscosity << " theta " << theta
-                              << (lumped ? " lumped" : "")
+                              << " mu " << material.law->scale << " theta "
+                              << theta << (lumped ? " lumped" : "")
                               << ": WRONG, relative error " << error << '\n';
                 }
     std::cout << dim << "D Q" << degree << " Coriolis: " << n_exact << " of "
@@ -287,19 +302,25 @@ namespace
   test_small_viscosity()
   {
     CellData<dim, degree> cell;
-    fill_cell(cell, /*theta=*/0.5, /*elastic_middle=*/false, /*lumped=*/false);
-    const double            density = 3.;
-    const StepCoefficients &c       = cell.coefficients;
-    const double limit = negligible_viscosity * density * c.inertia / c.rate *
-                         std::pow(cell.shortest_edge() / degree, 2);
+    const Material        inviscid = newtonian(0.);
+    fill_cell(cell,
+              inviscid,
+              /*theta=*/0.5,
+              /*elastic_middle=*/false,
+              /*lumped=*/false);
+    const StepCoefficients &c = cell.coefficients;
+    const double limit = negligible_viscosity * inviscid.density * c.inertia /
+                         c.rate * std::pow(cell.shortest_edge() / degree, 2);
     for (const double share : {0.99, 1.01})
       {
         const auto formulation =
-          make_formulation<dim>(FormulationParameters(),
-                                {density,
-                                 std::numeric_limits<double>::infinity(),
-                                 NewtonianLaw{share * limit},
-                                 VolumeLaw()});
+          make_formulation<dim>(FormulationParameters(), VolumeLaw());
+        const Material hardly_viscous = newtonian(share * limit);
+        fill_cell(cell,
+                  hardly_viscous,
+                  /*theta=*/0.5,
+                  /*elastic_middle=*/false,
+                  /*lumped=*/false);
         const double error = tangent_error(*formulation, cell);
         std::cout << dim << "D Q" << degree << " viscosity " << share
                   << " of the limit: "
@@ -310,6 +331,41 @@ namespace
       }
   }
 
+  /// Fluids that thin and thicken with the shear rate.
+  template <int dim, int degree>
+  void
+  test_power_law()
+  {
+    unsigned int n_exact = 0, n_all = 0;
+    for (const char *name : {"displacement-pressure", "displacement"})
+      for (const double flow_index : {0.4, 1.7})
+        for (const double theta : {0.5, 1.})
+          {
+            FormulationParameters parameters;
+            parameters.name = name;
+            const auto formulation =
+              make_formulation<dim>(parameters, {/*bulk_modulus=*/50.});
+            const Material material =
+              material_of(std::make_shared<PowerLaw>(flow_index, 0.1),
+                          /*viscosity=*/0.7);
+            CellData<dim, degree> cell;
+            fill_cell(cell,
+                      material,
+                      theta,
+                      /*elastic_middle=*/false,
+                      /*lumped=*/false);
+            ++n_all;
+            const double error = tangent_error(*formulation, cell);
+            if (error < 1e-6)
+              ++n_exact;
+            else
+              std::cout << name << " n " << flow_index << " theta " << theta
+                        << ": WRONG, relative error " << error << '\n';
+          }
+    std::cout << dim << "D Q" << degree << " power law: " << n_exact << " of "
+              << n_all << " exact\n";
+  }
+
   /// That the subscale's gradients turn is in the tangent unless its force is
   /// small. Split orthogonal subscales: the force is the pressure's gradient.
   template <int dim, int degree>
@@ -317,16 +373,16 @@ namespace
   test_small_turn()
   {
     CellData<dim, degree> cell;
-    fill_cell(cell, /*theta=*/0.5, /*elastic_middle=*/false, /*lumped=*/false);
+    const Material        inviscid = newtonian(0.);
+    fill_cell(cell,
+              inviscid,
+              /*theta=*/0.5,
+              /*elastic_middle=*/false,
+              /*lumped=*/false);
     cell.orthogonal = true;
     FormulationParameters parameters;
     parameters.stabilization.stabilization = "split OSGS";
-    const auto formulation =
-      make_formulation<dim>(parameters,
-                            {/*density=*/3.,
-                             std::numeric_limits<double>::infinity(),
-                             NewtonianLaw{/*viscosity=*/0.},
-                             VolumeLaw()});
+    const auto   formulation = make_formulation<dim>(parameters, VolumeLaw());
     const double limit =
       formulation->negligible_force(cell, formulation->tau(cell)) *
       cell.shortest_edge();
@@ -353,6 +409,10 @@ main()
   test_coriolis<3, 1>();
   test_coriolis<2, 2>();
   test_coriolis<3, 2>();
+  test_power_law<2, 1>();
+  test_power_law<3, 1>();
+  test_power_law<2, 2>();
+  test_power_law<3, 2>();
   test_small_turn<2, 1>();
   test_small_turn<3, 1>();
   test_small_turn<2, 2>();

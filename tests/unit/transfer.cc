@@ -183,8 +183,11 @@ namespace
     seiche::PointCloud<dim> points(locator,
                                    seiche::Transfer<dim>::columns(parameters),
                                    communicator);
-    seiche::seed_bodies(
-      scene.seeding, scene.bodies, scene.input, /*density=*/100., points);
+    seiche::seed_bodies(scene.seeding,
+                        scene.bodies,
+                        scene.input,
+                        material_of_density(100.),
+                        points);
     if (adaptive)
       seiche::MeshAdaptation<dim>(grid, locator, points, /*gauss=*/true);
     seiche::Occupancy<dim> occupancy(locator, degree);
@@ -196,10 +199,12 @@ namespace
                  /*with_pressure=*/true,
                  /*with_acceleration=*/
                  points.has(PointColumn::acceleration));
-    state.dt = 0.01;
-    const seiche::Transfer<dim> transfer(parameters,
+    state.dt                               = 0.01;
+    const auto                       fluid = material_of_density(100.);
+    const seiche::CellMaterials<dim> materials(fluid, occupancy);
+    const seiche::Transfer<dim>      transfer(parameters,
                                          fill,
-                                         /*density=*/100.,
+                                         materials,
                                          seiche::VolumeUpdate::at_the_point);
     for (std::size_t p = 0; p < points.size(); ++p)
       points.data(PointColumn::pressure)[p] = 7.;

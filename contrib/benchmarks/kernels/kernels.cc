@@ -190,7 +190,6 @@ namespace
         preconditioner.reset();
         preconditioner.initialize(bench.matrix,
                                   bench.assembler,
-                                  bench.scene.material(),
                                   bench.state.mass);
       }
     state.SetItemsProcessed(state.iterations() * bench.occupancy.n_own_nodes());
@@ -203,10 +202,7 @@ namespace
     auto                            &bench = workbench<dim>(Cells::full);
     seiche::BlockPreconditioner<dim> preconditioner(
       seiche::multigrid_method(bench.scene.linear_solver.multigrid));
-    preconditioner.initialize(bench.matrix,
-                              bench.assembler,
-                              bench.scene.material(),
-                              bench.state.mass);
+    preconditioner.initialize(bench.matrix, bench.assembler, bench.state.mass);
     for (auto _ : state)
       preconditioner.vmult(bench.solution, bench.residual);
     state.SetItemsProcessed(state.iterations() * bench.occupancy.n_own_nodes());

@@ -32,38 +32,36 @@ struct Workbench
     , time_scheme(
         seiche::make_time_scheme<dim>(scene.time_scheme,
                                       scene.fluid.is_incompressible()))
-    , formulation(
-        seiche::make_formulation<dim>(scene.formulation, scene.material()))
-    , points(locator,
-             seiche::Transfer<dim>::columns(scene.transfer),
-             MPI_COMM_WORLD)
+    , formulation(seiche::make_formulation<dim>(scene.formulation,
+                                                scene.fluid.volume_law))
+    , points(locator, scene.point_columns(), MPI_COMM_WORLD)
     , occupancy(locator, scene.formulation.degree)
     , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
+    , materials(scene.materials, occupancy)
     , quadrature(seiche::make_quadrature(points,
                                          fill,
-                                         scene.fluid.density,
+                                         materials,
                                          seiche::VolumeRatio::one))
     , tank_motion(scene.make_tank_motion())
     , body_force(scene.body_force, tank_motion, scene.input)
     , wall_motion(scene.grid, scene.input, scene.time.end_time)
     , wall_velocity(scene.grid, scene.input, scene.time.end_time)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
-    , transfer(scene.transfer,
-               fill,
-               scene.fluid.density,
-               scene.volume_update())
+    , transfer(scene.transfer, fill, materials, scene.volume_update())
     , matrix(occupancy, formulation->has_pressure())
     , assembler(*formulation,
                 *quadrature,
                 fill,
+                materials,
                 body_force,
                 scene.free_surface,
                 timer)
   {
     seiche::seed_bodies(
-      scene.seeding, planned.bodies, scene.input, scene.fluid.density, points);
+      scene.seeding, planned.bodies, scene.input, scene.materials, points);
     occupancy.update(points);
     fill.update(points);
+    materials.update(points);
     matrix.reinit(fill);
     state.reinit(occupancy, formulation->has_pressure(), false);
     state.dt = scene.time.step;
@@ -75,7 +73,7 @@ struct Workbench
     time_scheme->offsets(state, state.dt, inertia_offset, rate_offset);
     const seiche::StepCoefficients step = time_scheme->coefficients(state.dt);
     wall_conditions.set_displacement(state, step, rate_offset);
-    assembler.begin(step, 0., inertia_offset, rate_offset);
+    assembler.begin(step, state, inertia_offset, rate_offset);
     residual.reinit(state.solution);
     solution.reinit(state.solution);
     assembler.residual(state, residual);
@@ -94,9 +92,8 @@ struct Workbench
             occupancy,
             fill,
             state,
-            scene.fluid.density,
             dealii::Tensor<1, dim>(),
-            scene.fluid.bulk_modulus,
+            scene.fluid.volume_law.bulk_modulus,
             0.5,
             0.5,
             0.,
@@ -117,6 +114,7 @@ struct Workbench
   seiche::PointCloud<dim>                         points;
   seiche::Occupancy<dim>                          occupancy;
   seiche::Fill<dim>                               fill;
+  seiche::CellMaterials<dim>                      materials;
   const std::unique_ptr<seiche::Quadrature<dim>>  quadrature;
   const seiche::TankMotion<dim>                   tank_motion;
   const seiche::BodyForce<dim>                    body_force;

@@ -33,6 +33,8 @@ namespace seiche
     double                 size        = 0.;    ///< |K|^(1/dim) [m]
     bool                   lumped      = false; ///< inertia at the nodes
     double                 start_speed = 0.;    ///< |v_0| at the centre [m/s]
+    double density        = 0.; ///< mean of the cell's materials [kg/m^3]
+    double viscosity      = 0.; ///< their mean at the start of the step [Pa s]
     double extent_inertia = 0.; ///< of the points' own extent [kg], see
                                 ///< formulation/point_inertia.h
     CellQuadrature<dim> quadrature;

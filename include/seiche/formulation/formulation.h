@@ -2,10 +2,9 @@
 #ifndef seiche_formulation_formulation_h
 #define seiche_formulation_formulation_h
 
-#include <seiche/constitutive/newtonian_law.h>
-#include <seiche/constitutive/volume_law.h>
 #include <seiche/formulation/cell_data.h>
 #include <seiche/formulation/stabilization.h>
+#include <seiche/materials/volume_law.h>
 
 #include <cmath>
 #include <memory>
@@ -13,28 +12,6 @@
 
 namespace seiche
 {
-  /// Constants of the fluid that the weak forms read.
-  struct MaterialConstants
-  {
-    double       density      = 0.; ///< [kg/m^3]
-    double       bulk_modulus = 0.; ///< [Pa], infinity in the mixed form only
-    NewtonianLaw law;
-    VolumeLaw    volume_law;
-
-    bool
-    is_incompressible() const
-    {
-      return std::isinf(bulk_modulus);
-    }
-
-    /// Tangent viscosity [Pa s] that acts in a step with these coefficients.
-    double
-    viscosity(const StepCoefficients &coefficients) const
-    {
-      return coefficients.viscous ? law.tangent_viscosity() : 0.;
-    }
-  };
-
   /// prm entries of the subsection "Formulation" beside the stabilization's.
   struct FormulationParameters
   {
@@ -81,9 +58,8 @@ namespace seiche
   class Formulation
   {
   public:
-    Formulation(const MaterialConstants     &material_constants,
-                const FormulationParameters &parameters)
-      : material(material_constants)
+    Formulation(const VolumeLaw &law, const FormulationParameters &parameters)
+      : volume_law(law)
       , stabilization(parameters.stabilization)
       , lumps_inertia(parameters.lumps_inertia())
     {}
@@ -129,20 +105,18 @@ namespace seiche
     update_points(PointCloud<dim> &points,
                   const bool       volume_from_pressure) const = 0;
 
-    /// Viscosity [Pa s] of the tangent: none where it is so small beside
-    /// inertia that Newton's iteration does not miss it (doc/theory.md, section
-    /// 10).
+    /// True if the tangent has viscous terms: not where they are so small
+    /// beside inertia that Newton's iteration does not miss them
+    /// (doc/theory.md, section 10).
     template <int degree>
-    double
-    tangent_viscosity(const CellData<dim, degree> &cell) const
+    static bool
+    tangent_is_viscous(const CellData<dim, degree> &cell)
     {
-      const StepCoefficients &step      = cell.coefficients;
-      const double            viscosity = material.viscosity(step);
-      const double            h         = cell.shortest_edge() / degree;
-      return viscosity * step.rate < negligible_viscosity * material.density *
-                                       step.inertia * h * h ?
-               0. :
-               viscosity;
+      const StepCoefficients &step = cell.coefficients;
+      const double            h    = cell.shortest_edge() / degree;
+      return cell.viscosity > 0. &&
+             cell.viscosity * step.rate >=
+               negligible_viscosity * cell.density * step.inertia * h * h;
     }
 
     /// [N/m^dim] Pressure gradients and momentum residuals up to here turn
@@ -161,42 +135,26 @@ namespace seiche
     Tau
     tau(const CellData<dim, degree> &cell) const
     {
-      return stabilization.evaluate(tau_arguments(cell.coefficients,
-                                                  cell.size,
-                                                  degree,
-                                                  cell.start_speed,
-                                                  cell.largest_body_force()));
+      return stabilization.evaluate({cell.coefficients,
+                                     cell.density,
+                                     volume_law.bulk_modulus,
+                                     cell.viscosity,
+                                     cell.size,
+                                     degree,
+                                     cell.start_speed,
+                                     cell.largest_body_force()});
     }
 
-    /// The same of a cell of size @p h [m] with a speed [m/s] in its centre and
-    /// a body force [m/s^2].
-    TauArguments
-    tau_arguments(const StepCoefficients &step,
-                  const double            h,
-                  const unsigned int      degree,
-                  const double            speed,
-                  const double            force) const
-    {
-      return {step,
-              material.density,
-              material.bulk_modulus,
-              material.viscosity(step),
-              h,
-              degree,
-              speed,
-              force};
-    }
-
-    const MaterialConstants material;
-    const Stabilization     stabilization;
-    const bool              lumps_inertia; ///< in all cells
+    const VolumeLaw     volume_law; ///< of all materials
+    const Stabilization stabilization;
+    const bool          lumps_inertia; ///< in all cells
   };
 
   /// The table of formulations.
   template <int dim>
   std::unique_ptr<Formulation<dim>>
   make_formulation(const FormulationParameters &parameters,
-                   const MaterialConstants     &material);
+                   const VolumeLaw             &volume_law);
 } // namespace seiche
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <seiche/formulation/formulation.h>
 #include <seiche/formulation/point_kinematics.h>
+#include <seiche/formulation/viscous_stress.h>
 
 namespace seiche
 {
@@ -50,20 +51,21 @@ namespace seiche
      * m C_a du.w (and the Coriolis acceleration's) + V_t ds:grad_t w
      * + theta V_t {(div_t du) S:grad_t w - S:(grad_t w grad_t du)}
      * + bulk V_t dg[du] div_t w,
-     * where S = s - pressure I, ds = 2 mu dev(sym((c_r I - theta l) grad_t
-     * du)), and -bulk g is the pressure that depends on u: tau2 and the
-     * constraint (mixed), kappa and the volume (irreducible); @p slope[k][b] is
-     * dg/du_kb. Without @p viscosity s counts for nothing. The first
+     * where S = s - pressure I, ds as of ViscousStress with dl = (c_r I -
+     * theta l) grad_t du, and -bulk g is the pressure that depends on u: tau2
+     * and the constraint (mixed), kappa and the volume (irreducible);
+     * @p slope[k][b] is dg/du_kb. s counts if @p is_viscous. The first
      * @p n_points of the lanes count.
      */
     static void
-    add_tangent(CellData<dim, degree> &cell,
-                const Kinematics      &point,
-                const unsigned int     n_points,
-                const Lanes            mass,
-                const Lanes            volume_t,
-                const double           viscosity,
-                const Lanes            bulk,
+    add_tangent(CellData<dim, degree>    &cell,
+                const Kinematics         &point,
+                const unsigned int        n_points,
+                const Lanes               mass,
+                const Lanes               volume_t,
+                const bool                is_viscous,
+                const ViscousStress<dim> &viscous,
+                const Lanes               bulk,
                 const Lanes (&slope)[dim][n_nodes],
                 const Matrix &velocity_gradient,
                 const Matrix &stress,
@@ -76,10 +78,12 @@ namespace seiche
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int a = 0; a < n_nodes; ++a)
           h[i][a] = bulk * volume_t * slope[i][a];
-      if (viscosity > 0.)
+      if (is_viscous)
         {
           const Matrix m =
-            rate_of_increment(cell, velocity_gradient, viscosity * volume_t);
+            rate_of_increment(cell,
+                              velocity_gradient,
+                              viscous.viscosity.value * volume_t);
           Lanes rate[dim][n_nodes];
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int a = 0; a < n_nodes; ++a)
@@ -93,6 +97,15 @@ namespace seiche
           add_laplacian(cell, point, n_points, m);
           add_turned_stress(
             cell, point, n_points, theta * volume_t, stress, pressure);
+          if (viscous.has_slope)
+            add_thinning(cell,
+                         point,
+                         n_points,
+                         viscous.e,
+                         rate_of_increment(cell,
+                                           velocity_gradient,
+                                           2. * viscous.viscosity.slope *
+                                             volume_t));
         }
       add_volume_terms(cell, point, n_points, h, theta * volume_t * pressure);
     }
@@ -197,6 +210,38 @@ namespace seiche
                        const unsigned int q,
                        const unsigned int a) -> Row<n_nodes> {
                      return rows[k].values[q][a] * g[i].row(q);
+                   });
+    }
+
+    /// The viscosity's own derivative: add (e:grad_t w) (e:(m grad_t du)).
+    static void
+    add_thinning(CellData<dim, degree> &cell,
+                 const Kinematics      &point,
+                 const unsigned int     n_points,
+                 const Matrix          &e,
+                 const Matrix          &m)
+    {
+      const Matrix e_m = e * m; // e is symmetric
+      Lanes        test[dim][n_nodes], trial[dim][n_nodes];
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          {
+            test[i][a] = trial[i][a] = 0.;
+            for (unsigned int j = 0; j < dim; ++j)
+              {
+                test[i][a] += e[i][j] * point.gradient_t[j][a];
+                trial[i][a] += e_m[j][i] * point.gradient_t[j][a];
+              }
+          }
+      const auto test_rows  = rows_of<dim>(test),
+                 trial_rows = rows_of<dim>(trial);
+      add_products(cell,
+                   n_points,
+                   [&](const unsigned int i,
+                       const unsigned int k,
+                       const unsigned int q,
+                       const unsigned int a) -> Row<n_nodes> {
+                     return test_rows[i].values[q][a] * trial_rows[k].row(q);
                    });
     }
 

@@ -4,64 +4,67 @@
 
 #include <seiche/formulation/formulation.h>
 #include <seiche/formulation/point_kinematics.h>
+#include <seiche/formulation/viscous_stress.h>
 
 #include <algorithm>
 
 namespace seiche
 {
-  /// Fields and subscales at one quadrature point, or at several (Number =
-  /// Lanes); doc/theory.md (4.4).
-  template <int dim, int degree, typename Number = double>
+  /// Fields and subscales at several quadrature points; doc/theory.md (4.4).
+  template <int dim, int degree>
   struct VMSPointState
   {
-    const ResidualParts            parts; // of r
-    Number                         volume_n, volume_t, rho_t;
-    Number                         J_slope;       // dphi(J) = J_slope div_1 du
-    Number                         constraint;    // g = phi(J) + p/kappa
-    Number                         fine_pressure; // p~ = -tau2 (g - Pi g)
-    Number                         pressure;      // p + p~
-    dealii::Tensor<1, dim, Number> acceleration, pressure_gradient;
-    dealii::Tensor<1, dim, Number> momentum_residual; // r - Pi r
-    dealii::Tensor<1, dim, Number> projected;         // Pi r
-    dealii::Tensor<2, dim, Number>
+    const ResidualParts           parts; // of r
+    Lanes                         volume_n, volume_t, rho_t;
+    Lanes                         J_slope;       // dphi(J) = J_slope div_1 du
+    Lanes                         constraint;    // g = phi(J) + p/kappa
+    Lanes                         fine_pressure; // p~ = -tau2 (g - Pi g)
+    Lanes                         pressure;      // p + p~
+    dealii::Tensor<1, dim, Lanes> acceleration, pressure_gradient;
+    dealii::Tensor<1, dim, Lanes> momentum_residual; // r - Pi r
+    dealii::Tensor<1, dim, Lanes> projected;         // Pi r
+    dealii::Tensor<2, dim, Lanes>
       velocity_gradient; // if a term has it, as the next
-    dealii::Tensor<2, dim, Number> acceleration_gradient;
-    dealii::Tensor<2, dim, Number> stress;            // S = s - (p + p~) I
-    dealii::Tensor<1, dim, Number> stress_divergence; // div s, zero for FE_Q(1)
-    dealii::Tensor<3, dim, Number>
+    dealii::Tensor<2, dim, Lanes> acceleration_gradient;
+    ViscousStress<dim>            viscous;
+    dealii::Tensor<2, dim, Lanes> stress;            // S = s - (p + p~) I
+    dealii::Tensor<1, dim, Lanes> stress_divergence; // div s, zero for FE_Q(1)
+    dealii::Tensor<3, dim, Lanes>
       curvature; // v_i,jk, for FE_Q(2) with viscosity
 
-    VMSPointState(const CellData<dim, degree>          &cell,
-                  PointKinematics<dim, degree, Number> &point,
-                  const unsigned int                    q,
-                  const MaterialConstants              &material,
-                  const Tau                            &tau,
-                  const ResidualParts                  &residual_parts)
+    VMSPointState(const CellData<dim, degree>         &cell,
+                  PointKinematics<dim, degree, Lanes> &point,
+                  const unsigned int                   q,
+                  const Material                      &material,
+                  const VolumeLaw                     &volume_law,
+                  const Tau                           &tau,
+                  const ResidualParts                 &residual_parts)
       : parts(residual_parts)
     {
-      const auto  &quadrature = cell.quadrature;
-      const Number J_n        = cell.coefficients.elastic ?
-                                  load<Number>(&quadrature.volume_ratio[q]) :
-                                  Number(1.);
-      volume_n                = J_n * load<Number>(&quadrature.volume[q]);
-      volume_t                = point.det_t * volume_n;
-      const VolumeStrain<Number> strain(material.volume_law,
-                                        cell.coefficients.elastic_time,
-                                        J_n,
-                                        point.det_1 * J_n);
+      const auto &quadrature = cell.quadrature;
+      const Lanes J_n        = cell.coefficients.elastic ?
+                                 load<Lanes>(&quadrature.volume_ratio[q]) :
+                                 Lanes(1.);
+      volume_n               = J_n * load<Lanes>(&quadrature.volume[q]);
+      volume_t               = point.det_t * volume_n;
+      const VolumeStrain<Lanes> strain(volume_law,
+                                       cell.coefficients.elastic_time,
+                                       J_n,
+                                       point.det_1 * J_n);
       J_slope      = strain.slope;
-      rho_t        = load<Number>(&quadrature.mass[q]) / volume_t;
+      rho_t        = load<Lanes>(&quadrature.mass[q]) / volume_t;
       acceleration = point.value(cell.acceleration);
 
       pressure          = point.value(cell.pressure);
       pressure_gradient = point.gradient(cell.pressure, point.gradient_t);
-      constraint = strain.value + pressure * (1. / material.bulk_modulus);
-      const StepCoefficients &step = cell.coefficients;
-      const bool viscous = step.viscous && !material.law.is_inviscid();
-      if (viscous || step.rate_constraint != 0. || step.jerk_constraint != 0.)
+      constraint = strain.value + pressure * (1. / volume_law.bulk_modulus);
+      const StepCoefficients &step       = cell.coefficients;
+      const bool              is_viscous = cell.viscosity > 0.;
+      if (is_viscous || step.rate_constraint != 0. ||
+          step.jerk_constraint != 0.)
         velocity_gradient =
           point.gradient(cell.rate_velocity, point.gradient_t);
-      const dealii::Tensor<2, dim, Number> &l = velocity_gradient;
+      const dealii::Tensor<2, dim, Lanes> &l = velocity_gradient;
       if (step.rate_constraint != 0.)
         constraint -= step.rate_constraint * dealii::trace(l * l);
       if (step.jerk_constraint != 0.)
@@ -78,22 +81,20 @@ namespace seiche
       momentum_residual = -pressure_gradient;
       if (parts.force)
         {
-          dealii::Tensor<1, dim, Number> force =
-            cell.template body_force_at<Number>(q);
+          dealii::Tensor<1, dim, Lanes> force =
+            cell.template body_force_at<Lanes>(q);
           if (parts.inertia)
             force -= acceleration;
           momentum_residual += rho_t * force;
         }
 
-      if (viscous)
+      if (is_viscous)
         {
-          stress = material.law.stress(velocity_gradient);
+          viscous.evaluate(*material.law, velocity_gradient);
+          stress = viscous.stress();
           if constexpr (degree > 1)
             if (parts.force)
-              add_second_derivatives(cell,
-                                     point,
-                                     q,
-                                     material.law.tangent_viscosity());
+              add_second_derivatives(cell, point, q);
         }
       if (cell.orthogonal)
         {
@@ -108,10 +109,10 @@ namespace seiche
     }
 
     /// grad_t (coriolis v) = coriolis l.
-    dealii::Tensor<2, dim, Number>
+    dealii::Tensor<2, dim, Lanes>
     coriolis_gradient(const CellData<dim, degree> &cell) const
     {
-      dealii::Tensor<2, dim, Number> result;
+      dealii::Tensor<2, dim, Lanes> result;
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int k = 0; k < dim; ++k)
           result[i] += cell.coriolis[i][k] * velocity_gradient[k];
@@ -123,9 +124,9 @@ namespace seiche
     /// tr(M grad_t du), M = (3 grad a - 6 l^2)(c_r I - theta l)
     /// + 3 l (C_a I - theta grad a) up to cyclic order.
     void
-    constraint_slope(const CellData<dim, degree>                &cell,
-                     const PointKinematics<dim, degree, Number> &point,
-                     Number (&slope)[dim][CellData<dim, degree>::n_nodes]) const
+    constraint_slope(const CellData<dim, degree>               &cell,
+                     const PointKinematics<dim, degree, Lanes> &point,
+                     Lanes (&slope)[dim][CellData<dim, degree>::n_nodes]) const
     {
       constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
       for (unsigned int k = 0; k < dim; ++k)
@@ -134,16 +135,16 @@ namespace seiche
       const StepCoefficients &c = cell.coefficients;
       if (c.jerk_constraint == 0.)
         return;
-      const dealii::Tensor<2, dim, Number> &l      = velocity_gradient;
-      const dealii::Tensor<2, dim, Number> &grad_a = acceleration_gradient;
-      dealii::Tensor<2, dim, Number>        of_l   = -c.theta * l,
-                                     of_a          = -c.theta * grad_a;
+      const dealii::Tensor<2, dim, Lanes> &l      = velocity_gradient;
+      const dealii::Tensor<2, dim, Lanes> &grad_a = acceleration_gradient;
+      dealii::Tensor<2, dim, Lanes>        of_l   = -c.theta * l,
+                                    of_a          = -c.theta * grad_a;
       for (unsigned int i = 0; i < dim; ++i)
         {
           of_l[i][i] += c.rate;
           of_a[i][i] += c.inertia;
         }
-      const dealii::Tensor<2, dim, Number> M =
+      const dealii::Tensor<2, dim, Lanes> M =
         c.jerk_constraint * ((3. * grad_a - 6. * l * l) * of_l + 3. * l * of_a);
       for (unsigned int k = 0; k < dim; ++k)
         for (unsigned int j = 0; j < dim; ++j)
@@ -151,18 +152,17 @@ namespace seiche
             slope[k][b] -= M[j][k] * point.gradient_t[j][b];
     }
 
-    /// div s_i = mu (v_i,jj + v_j,ij/3)
+    /// div s_i = mu (v_i,jj + v_j,ij/3), mu that of the cell as in tau
     void
-    add_second_derivatives(const CellData<dim, degree>          &cell,
-                           PointKinematics<dim, degree, Number> &point,
-                           const unsigned int                    q,
-                           const double                          viscosity)
+    add_second_derivatives(const CellData<dim, degree>         &cell,
+                           PointKinematics<dim, degree, Lanes> &point,
+                           const unsigned int                   q)
     {
       point.evaluate_second_derivatives(cell, q);
       for (unsigned int j = 0; j < dim; ++j)
         for (unsigned int k = 0; k < dim; ++k)
           {
-            const dealii::Tensor<1, dim, Number> v =
+            const dealii::Tensor<1, dim, Lanes> v =
               point.sum(cell.rate_velocity, point.second[j][k]);
             for (unsigned int i = 0; i < dim; ++i)
               curvature[i][j][k] = v[i];
@@ -170,18 +170,18 @@ namespace seiche
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = 0; j < dim; ++j)
           stress_divergence[i] +=
-            viscosity * (curvature[i][j][j] + curvature[j][i][j] / 3.);
+            cell.viscosity * (curvature[i][j][j] + curvature[j][i][j] / 3.);
       momentum_residual += stress_divergence;
     }
 
-    /// d(div s)_i for du = N_b e_k, times @p factor, into
+    /// d(div s)_i for du = N_b e_k over mu, times @p factor, into
     /// derivative[i][k][b].
     void
     stress_divergence_derivative(
-      const CellData<dim, degree>                &cell,
-      const PointKinematics<dim, degree, Number> &point,
-      const Number                                factor,
-      Number (&derivative)[dim][dim][CellData<dim, degree>::n_nodes]) const
+      const CellData<dim, degree>               &cell,
+      const PointKinematics<dim, degree, Lanes> &point,
+      const Lanes                                factor,
+      Lanes (&derivative)[dim][dim][CellData<dim, degree>::n_nodes]) const
     {
       const double theta = cell.coefficients.theta;
       const double rate  = cell.coefficients.rate;
@@ -191,13 +191,13 @@ namespace seiche
       const auto  &h     = point.second;
       for (unsigned int b = 0; b < CellData<dim, degree>::n_nodes; ++b)
         {
-          Number laplacian = 0.;
+          Lanes laplacian = 0.;
           for (unsigned int j = 0; j < dim; ++j)
             laplacian += h[j][j][b];
           for (unsigned int i = 0; i < dim; ++i)
             for (unsigned int k = 0; k < dim; ++k)
               {
-                Number value =
+                Lanes value =
                   rate * h[k][i][b] / 3. - theta * l[i][k] * laplacian;
                 if (i == k)
                   value += rate * laplacian;

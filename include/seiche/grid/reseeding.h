@@ -5,6 +5,7 @@
 #include <seiche/grid/fill.h>
 
 #include <cstdint>
+#include <optional>
 
 namespace seiche
 {
@@ -53,8 +54,10 @@ namespace seiche
     std::size_t
     size_of(const unsigned int cell) const;
 
-    /// Merge one pair of the cell's @p alive points; the number that goes.
-    std::size_t
+    /// Merge the lightest of the cell's @p alive points with its nearest
+    /// neighbour; the number that goes. None if no other may be merged with
+    /// it, which is not looked at again then.
+    std::optional<std::size_t>
     merge_pair(PointCloud<dim> &points, std::vector<std::size_t> &alive) const;
 
     /// Points of the cell to be split and their d, appended.

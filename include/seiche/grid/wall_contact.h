@@ -2,6 +2,7 @@
 #ifndef seiche_grid_wall_contact_h
 #define seiche_grid_wall_contact_h
 
+#include <seiche/grid/cell_materials.h>
 #include <seiche/grid/closed_chambers.h>
 #include <seiche/grid/row_mass.h>
 #include <seiche/grid/wall_conditions.h>
@@ -40,7 +41,7 @@ namespace seiche
                 Occupancy<dim>            &occupancy,
                 const RowMass<dim>        &row_mass,
                 const BodyForce<dim>      &body_force,
-                const double               density);
+                const CellMaterials<dim>  &materials);
 
     /// True if there are unilateral walls.
     bool
@@ -110,7 +111,7 @@ namespace seiche
     Occupancy<dim>            &occupancy;
     const RowMass<dim>        &row_mass;
     const BodyForce<dim>      &body_force;
-    const double               density;
+    const CellMaterials<dim>  &materials;
     const bool                 exists;
     unsigned int               projections = 0; ///< of this attempt
     std::vector<Contact>       contacts;

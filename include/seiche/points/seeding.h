@@ -2,6 +2,7 @@
 #ifndef seiche_points_seeding_h
 #define seiche_points_seeding_h
 
+#include <seiche/materials/material.h>
 #include <seiche/points/point_cloud.h>
 #include <seiche/scene/fluid_body.h>
 
@@ -59,7 +60,7 @@ namespace seiche
   seed_bodies(const SeedingParameters           &parameters,
               const std::vector<FluidBody<dim>> &bodies,
               const InputFile                   &input,
-              const double                       density,
+              const std::vector<Material>       &materials,
               PointCloud<dim>                   &points);
 } // namespace seiche
 

@@ -36,7 +36,6 @@ namespace seiche
     const Occupancy<dim>  &occupancy;
     const Fill<dim>       &fill;
     const GridState<dim>  &state;
-    double                 density; ///< [kg/m^3]
     /// Constant body acceleration [m/s^2], in the axes of the tank as it is
     /// now; zero if it varies in space or time (the ledger's energy is then
     /// kinetic only).

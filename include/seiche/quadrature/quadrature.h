@@ -2,6 +2,7 @@
 #ifndef seiche_quadrature_quadrature_h
 #define seiche_quadrature_quadrature_h
 
+#include <seiche/grid/cell_materials.h>
 #include <seiche/grid/fill.h>
 #include <seiche/points/point_cloud.h>
 #include <seiche/utilities/lanes.h>
@@ -25,11 +26,20 @@ namespace seiche
   template <int dim>
   struct CellQuadrature
   {
+    /// Points of one material: from begin up to end.
+    struct Part
+    {
+      const Material *material = nullptr;
+      unsigned int    begin = 0, end = 0;
+    };
+
+    /// Of all points; those between two parts have a negligible weight.
     unsigned int                                   size = 0;
     std::array<dealii::AlignedVector<double>, dim> unit; ///< [size] in [0,1]
     dealii::AlignedVector<double> mass;         ///< [kg], with the weight
     dealii::AlignedVector<double> volume;       ///< [m^dim] V0, with the weight
     dealii::AlignedVector<double> volume_ratio; ///< [-] J at t_n
+    std::vector<Part>             parts;
     /// Measure of the full cell [m^dim] if these are its Gauss points, which
     /// serve the next such cell; else 0.
     double full_measure = 0.;
@@ -50,9 +60,21 @@ namespace seiche
     {
       size         = 0;
       full_measure = 0.;
+      parts.clear();
     }
 
-    /// Fill the last Lanes with the first point, of negligible weight.
+    /// The next points are of this material.
+    void
+    begin_part(const Material &material)
+    {
+      pad();
+      size = (size + n_lanes_of_register - 1) / n_lanes_of_register *
+             n_lanes_of_register;
+      parts.push_back({&material, size, size});
+    }
+
+    /// Fill the last Lanes of the last part with a point of it, of negligible
+    /// weight.
     void
     pad();
 
@@ -70,6 +92,20 @@ namespace seiche
       volume[size]       = point_volume;
       volume_ratio[size] = ratio;
       ++size;
+      parts.back().end = size;
+    }
+
+    /// action(first point, number of points, material) on each batch of Lanes.
+    template <typename Action>
+    void
+    for_each_batch(const Action &action) const
+    {
+      for (const Part &part : parts)
+        for (unsigned int q = part.begin; q < part.end;
+             q += n_lanes_of_register)
+          action(q,
+                 std::min(n_lanes_of_register, part.end - q),
+                 *part.material);
     }
 
   private:
@@ -125,15 +161,16 @@ namespace seiche
   };
 
   /// Makes fill.rule: cut cells (the inside of Fill::surface(), and its loose
-  /// points) or material points (the founding paper's). @p ratio: what points
+  /// points; the points where several materials meet) or material points (the
+  /// founding paper's). @p ratio: what points
   /// have as volume_ratio that are no material ones. References must outlive
   /// the object.
   template <int dim>
   std::unique_ptr<Quadrature<dim>>
-  make_quadrature(const PointCloud<dim> &points,
-                  const Fill<dim>       &fill,
-                  const double           density,
-                  const VolumeRatio      ratio);
+  make_quadrature(const PointCloud<dim>    &points,
+                  const Fill<dim>          &fill,
+                  const CellMaterials<dim> &materials,
+                  const VolumeRatio         ratio);
 } // namespace seiche
 
 #endif

@@ -31,6 +31,7 @@ namespace seiche
     std::string lower_text, upper_text, centre_text, radius_text,
       semi_axes_text, vertices_text, span_text, expression_text;
     std::string velocity = (dim == 2 ? "0; 0" : "0; 0; 0"); // [m/s], (x, t=0)
+    std::string material; // name of a Material; empty: of the Fluid
 
     /// Enters the subsection "Fluid body NAME"; set the name before.
     void
@@ -66,16 +67,19 @@ namespace seiche
   {
     std::string                      name;
     std::unique_ptr<Region<dim>>     region;
-    std::unique_ptr<Expression<dim>> velocity; ///< [m/s], at t = 0
+    std::unique_ptr<Expression<dim>> velocity;     ///< [m/s], at t = 0
+    unsigned int                     material = 0; ///< 0: of the Fluid
   };
 
   /// InputError with place for what makes no sense, and for no body at all. @p
-  /// domain as of make_region(); @p input must outlive the bodies.
+  /// domain as of make_region(); @p material_names: of the materials beside the
+  /// Fluid; @p input must outlive the bodies.
   template <int dim>
   std::vector<FluidBody<dim>>
   make_fluid_bodies(const std::vector<FluidBodyParameters<dim>> &bodies,
                     const InputFile                             &input,
-                    const dealii::BoundingBox<dim>              &domain);
+                    const dealii::BoundingBox<dim>              &domain,
+                    const std::vector<std::string> &material_names);
 } // namespace seiche
 
 #endif

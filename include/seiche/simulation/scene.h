@@ -2,11 +2,11 @@
 #ifndef seiche_simulation_scene_h
 #define seiche_simulation_scene_h
 
-#include <seiche/constitutive/newtonian_fluid.h>
 #include <seiche/formulation/formulation.h>
 #include <seiche/formulation/ghost_penalty.h>
 #include <seiche/grid/point_control.h>
 #include <seiche/grid/time_scheme.h>
+#include <seiche/materials/fluid_parameters.h>
 #include <seiche/parameters/input_file.h>
 #include <seiche/points/seeding.h>
 #include <seiche/postprocess/postprocessor_table.h>
@@ -47,15 +47,19 @@ namespace seiche
     TankMotion<dim>
     make_tank_motion() const;
 
-    /// Constants of the weak forms.
-    MaterialConstants
-    material() const;
-
     VolumeUpdate
     volume_update() const;
 
     FilledVolume
     filled_volume() const;
+
+    /// Names of the further materials, of numbers 1 on.
+    std::vector<std::string>
+    material_names() const;
+
+    /// Columns that the points need beyond the always present ones.
+    std::set<PointColumn>
+    point_columns() const;
 
     /// Columns of statistics.csv that Simulation sets itself, in their order.
     std::vector<std::string>
@@ -72,6 +76,8 @@ namespace seiche
     BodyForceParameters<dim>              body_force;
     TankMotionParameters<dim>             tank_motion;
     FluidParameters                       fluid;
+    std::vector<MaterialParameters>       further_materials;
+    std::vector<Material>                 materials; ///< of all, by number
     std::vector<FluidBodyParameters<dim>> bodies;
     SeedingParameters                     seeding;
     PointControlParameters                point_control;
@@ -96,6 +102,10 @@ namespace seiche
     /// Of choices that need others, which are fine.
     void
     check_choices(const InputFile &input);
+
+    /// Fill materials; bodies and materials find each other.
+    void
+    check_materials(const InputFile &input);
   };
 } // namespace seiche
 

@@ -210,6 +210,7 @@ namespace seiche
     MeshAdaptation<dim>                     mesh_adaptation;
     Occupancy<dim>                          occupancy;
     Fill<dim>                               fill;
+    CellMaterials<dim>                      materials;
     DensityProjection<dim>                  density_projection;
     PointControl<dim>                       point_control;
     const TankMotion<dim>                   tank_motion;

@@ -27,16 +27,17 @@ namespace seiche
   public:
     /// References must outlive this. Walls that let go of the fluid are noted
     /// in @p occupancy.
-    StepSolver(const Scene<dim>       &scene,
-               const Formulation<dim> &formulation,
-               const TimeScheme<dim>  &time_scheme,
-               const BodyForce<dim>   &body_force,
-               const WallMotion<dim>  &wall_motion,
-               const PointCloud<dim>  &points,
-               Occupancy<dim>         &occupancy,
-               const Fill<dim>        &fill,
-               RunReport              &report,
-               TimerTree              &timer);
+    StepSolver(const Scene<dim>         &scene,
+               const Formulation<dim>   &formulation,
+               const TimeScheme<dim>    &time_scheme,
+               const BodyForce<dim>     &body_force,
+               const WallMotion<dim>    &wall_motion,
+               const PointCloud<dim>    &points,
+               Occupancy<dim>           &occupancy,
+               const Fill<dim>          &fill,
+               const CellMaterials<dim> &materials,
+               RunReport                &report,
+               TimerTree                &timer);
 
     /// After a change of the fill: pattern of the matrix, faces of obstacles
     /// that have fluid at them. Collective.

@@ -30,15 +30,16 @@ namespace seiche
     Assembler(const Formulation<dim>      &formulation,
               const Quadrature<dim>       &quadrature,
               const Fill<dim>             &fill,
+              const CellMaterials<dim>    &materials,
               const BodyForce<dim>        &body_force,
               const FreeSurfaceParameters &free_surface,
               TimerTree                   &timer);
 
-    /// Scalars of the step, start time [s] and the nodal offsets of
-    /// acceleration and velocity (TimeScheme), which must outlive the step.
+    /// Scalars of the step, its start (time and velocity) and the nodal offsets
+    /// of acceleration and velocity (TimeScheme), which must outlive the step.
     void
     begin(const StepCoefficients &coefficients,
-          const double            time,
+          const GridState<dim>   &state,
           const Vector           &inertia_offset,
           const Vector           &rate_offset);
 
@@ -79,14 +80,36 @@ namespace seiche
       return step;
     }
 
-    /// tau of a cell of this size [m] under a body force [m/s^2], speed zero.
+    /// Viscosity [Pa s] of an occupied cell, own or ghost, that acts in the
+    /// step: that of the start velocity in its centre.
+    double
+    viscosity(const unsigned int cell) const
+    {
+      return !step.viscous ? 0. :
+             materials.has_constant_viscosity() ?
+                             materials.viscosity(cell, 0.) :
+                             viscosities[cell];
+    }
+
+    /// The largest of all cells [Pa s]. Collective.
+    double
+    largest_viscosity() const;
+
+    /// tau of a cell of this size [m] under a body force [m/s^2], speed zero,
+    /// with the largest density and viscosity. Collective.
     Tau
     reference_tau(const double size, const double force) const;
 
-    /// tau1 [m^4/N] of the pressure's ghost penalty: the transient one for
-    /// every choice of the subscales' tau, which may be infinite or zero.
-    double
-    ghost_tau(const double size, const unsigned int degree) const;
+    /// True if rho tau1 is about the same in all cells: the pressure block is
+    /// then a scaled copy of the Schur complement. Collective.
+    bool
+    tau_follows_density() const;
+
+    /// 2 mu c_r over the volume [Pa/m^dim] of own nodes, of which @p mass is
+    /// [kg]; empty if there is no viscosity. Volumes count as
+    /// @p least_volume [m^dim] at least. Collective.
+    std::vector<double>
+    viscous_stiffness(const Vector &mass, const double least_volume) const;
 
     /// Largest body acceleration [m/s^2], zero if it is switched off.
     /// Collective.
@@ -94,6 +117,7 @@ namespace seiche
     body_force_scale() const;
 
     const Formulation<dim>      &formulation;
+    const CellMaterials<dim>    &materials;
     const FreeSurfaceParameters &free_surface;
 
   private:
@@ -109,6 +133,42 @@ namespace seiche
     add_balance(const unsigned int    cell,
                 const GridState<dim> &state,
                 StepBalance<dim>     &balance);
+
+    /// Mean of the cells at a face [kg/m^3].
+    double
+    density(const GhostFace &face) const;
+
+    /// tau1 [m^4/N] of the pressure's ghost penalty on a face: the transient
+    /// one for every choice of the subscales' tau, which may be infinite or
+    /// zero.
+    double
+    ghost_tau(const GhostFace   &face,
+              const double       size,
+              const unsigned int degree) const;
+
+    /// Of laws that depend on the shear rate.
+    template <int degree>
+    double
+    start_viscosity(const unsigned int cell, const GridState<dim> &state) const;
+    void
+    find_viscosities(const GridState<dim> &state);
+
+    TauArguments
+    tau_arguments(const double       size,
+                  const unsigned int degree,
+                  const double       density,
+                  const double       viscosity,
+                  const double       force) const
+    {
+      return {step,
+              density,
+              formulation.volume_law.bulk_modulus,
+              viscosity,
+              size,
+              degree,
+              /*speed=*/0.,
+              force};
+    }
 
     /// Fill the workspace with cell and nodal values.
     template <int degree>
@@ -172,6 +232,7 @@ namespace seiche
     const BlockVector     *projection     = nullptr;
     const bool             tau_is_uniform;
     StepCoefficients       step;
+    std::vector<double>    viscosities; // if they depend on the shear rate
 
     std::tuple<CellData<dim, 1>, CellData<dim, 2>> workspace; // of one cell
   };

@@ -38,10 +38,9 @@ namespace seiche
     /// costs more than it saves: a cell that has become occupied since is
     /// unknown to them.) Collective.
     void
-    initialize(const BlockMatrix<dim>  &matrix,
-               const Assembler<dim>    &assembler,
-               const MaterialConstants &material,
-               const Vector            &mass);
+    initialize(const BlockMatrix<dim> &matrix,
+               const Assembler<dim>   &assembler,
+               const Vector           &mass);
 
     /// Drop everything (a new step, a failed solve): the next initialize()
     /// builds all of it.

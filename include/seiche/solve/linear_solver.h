@@ -72,9 +72,7 @@ namespace seiche
   public:
     using BlockVector = typename BlockMatrix<dim>::BlockVector;
 
-    LinearSolver(const LinearSolverParameters &parameters,
-                 const MaterialConstants      &material,
-                 TimerTree                    &timer);
+    LinearSolver(const LinearSolverParameters &parameters, TimerTree &timer);
 
     /// Use @p matrix, assembled with @p assembler's coefficients, for the
     /// next solves. @p mass: lumped nodal mass [kg]. Collective.
@@ -111,7 +109,6 @@ namespace seiche
                       const double       tolerance);
 
     const LinearSolverParameters parameters;
-    const MaterialConstants      material;
     TimerTree                   &timer;
     const BlockMatrix<dim>      *matrix = nullptr;
     std::function<void()>        set_up; ///< of the preconditioner

@@ -31,10 +31,9 @@ namespace seiche
     /// Set up for a newly assembled matrix; @p mass [kg] lumped, of nodes. True
     /// if the hierarchy or the factors of an earlier matrix serve. Collective.
     bool
-    initialize(const BlockMatrix<dim>  &matrix,
-               const Assembler<dim>    &assembler,
-               const MaterialConstants &material,
-               const Vector            &mass);
+    initialize(const BlockMatrix<dim> &matrix,
+               const Assembler<dim>   &assembler,
+               const Vector           &mass);
 
     /// The next initialize() keeps nothing.
     void
@@ -49,12 +48,6 @@ namespace seiche
     vmult(Vector &z, Vector &r) const;
 
   private:
-    /// @p factor [Pa] of M_p^-1; lumped M_p from @p mass and density.
-    void
-    set_viscous_part(const double  factor,
-                     const double  density,
-                     const Vector &mass);
-
     /// D - C A^-1 G with C_a m in place of A, @p inertia C_a [1/s^2]; with
     /// diag(A) where that is zero. Collective.
     DistributedRows
@@ -93,8 +86,7 @@ namespace seiche
     std::unique_ptr<Multigrid> hierarchy;
     mutable CholeskyFactors    cholesky;
 
-    double viscous_factor = 0.; ///< 2 mu c_r [Pa]
-    Vector volume;              ///< lumped pressure mass [m^dim]
+    std::vector<double> viscous; ///< 2 mu c_r M_p^-1 [Pa/m^dim], or empty
   };
 } // namespace seiche
 

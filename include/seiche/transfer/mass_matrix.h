@@ -2,6 +2,7 @@
 #ifndef seiche_transfer_mass_matrix_h
 #define seiche_transfer_mass_matrix_h
 
+#include <seiche/grid/cell_materials.h>
 #include <seiche/grid/fill.h>
 #include <seiche/grid/grid_state.h>
 
@@ -22,15 +23,15 @@ namespace seiche
   public:
     using Vector = typename GridState<dim>::Vector;
 
-    /// Of the points where they are. @p density [kg/m^3] scales the ghost
-    /// penalty (@p ghost_penalty: with it or without). @p masses_of_linear_cells [kg]:
+    /// Of the points where they are. The density of @p materials scales the
+    /// ghost penalty (@p ghost_penalty: with it or without). @p masses_of_linear_cells [kg]:
     /// of the nodes, which stand for the points of these cells, or null.
     /// Collective.
-    MassMatrix(const PointCloud<dim> &points,
-               const Fill<dim>       &fill,
-               const double           density,
-               const bool             ghost_penalty,
-               const Vector          *masses_of_linear_cells);
+    MassMatrix(const PointCloud<dim>    &points,
+               const Fill<dim>          &fill,
+               const CellMaterials<dim> &materials,
+               const bool                ghost_penalty,
+               const Vector             *masses_of_linear_cells);
 
     /// sum_p m_p N v_p of a vector column of the points [dim] -> dst, without
     /// lumped cells. Collective.
@@ -68,7 +69,7 @@ namespace seiche
     collect_cells();
     template <int degree>
     void
-    collect_faces(const double density);
+    collect_faces(const CellMaterials<dim> &materials);
     bool
     is_lumped(const unsigned int cell) const
     {

@@ -2,6 +2,7 @@
 #ifndef seiche_transfer_transfer_h
 #define seiche_transfer_transfer_h
 
+#include <seiche/grid/cell_materials.h>
 #include <seiche/grid/fill.h>
 #include <seiche/grid/grid_state.h>
 #include <seiche/points/point_cloud.h>
@@ -112,10 +113,10 @@ namespace seiche
   class Transfer
   {
   public:
-    /// @p grid_fill must outlive the object; @p density [kg/m^3];
+    /// References must outlive the object.
     Transfer(const TransferParameters &transfer_parameters,
              const Fill<dim>          &grid_fill,
-             const double              density,
+             const CellMaterials<dim> &materials,
              const VolumeUpdate        volume_update);
 
     /// Columns that the method needs beyond the always present ones.
@@ -172,12 +173,12 @@ namespace seiche
                 const HeldPoints<dim>                 &held,
                 PointCloud<dim>                       &points) const;
 
-    const TransferParameters parameters;
-    const TransferMethod    &method;
-    const Fill<dim>         &fill;
-    const Occupancy<dim>    &occupancy;
-    const double             density;
-    const bool               mean_volume;
+    const TransferParameters  parameters;
+    const TransferMethod     &method;
+    const Fill<dim>          &fill;
+    const Occupancy<dim>     &occupancy;
+    const CellMaterials<dim> &materials;
+    const bool                mean_volume;
   };
 } // namespace seiche
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/constitutive/newtonian_fluid.h>
+#include <seiche/materials/fluid_parameters.h>
 #include <seiche/parameters/input_file.h>
 #include <seiche/scene/entry_values.h>
 
@@ -21,9 +21,9 @@ namespace seiche
 
 
   void
-  FluidParameters::add_parameters(dealii::ParameterHandler &prm)
+  MaterialParameters::add_parameters(dealii::ParameterHandler &prm)
   {
-    prm.enter_subsection("Fluid");
+    prm.enter_subsection(section());
     prm.add_parameter("Density",
                       density,
                       "Density of the fluid at rest, greater than zero. "
@@ -32,9 +32,49 @@ namespace seiche
                       /*has_to_be_set=*/true);
     prm.add_parameter("Dynamic viscosity",
                       dynamic_viscosity,
-                      "Dynamic viscosity; 0 for an inviscid fluid. [Pa s]",
+                      "Dynamic viscosity; 0 for an inviscid fluid. Of the "
+                      "power law its K: the viscosity at a shear rate of 1/s. "
+                      "[Pa s]",
                       dealii::Patterns::Double(0., largest_viscosity),
                       /*has_to_be_set=*/true);
+    prm.add_parameter("Viscosity law",
+                      law_name,
+                      "How the viscosity depends on the shear rate. " +
+                        viscosity_law_descriptions(),
+                      dealii::Patterns::Selection(viscosity_law_names()));
+    for (NamedViscosityLaw &entry : laws)
+      entry.law->add_parameters(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  MaterialParameters::check(const InputFile &input)
+  {
+    input.require(density > 0.,
+                  section() + "/Density",
+                  "must be greater than zero [kg/m^3]; water has 1000.");
+    for (NamedViscosityLaw &entry : laws)
+      {
+        const bool is_chosen = entry.name == law_name;
+        entry.law->scale     = dynamic_viscosity;
+        entry.law->check(input, section(), is_chosen);
+        if (!is_chosen)
+          continue;
+        chosen = {name, density, entry.law};
+        if (!entry.papers.empty())
+          input.cites(entry.papers);
+      }
+  }
+
+
+
+  void
+  FluidParameters::add_parameters(dealii::ParameterHandler &prm)
+  {
+    material.add_parameters(prm);
+    prm.enter_subsection("Fluid");
     prm.add_parameter("Bulk modulus",
                       bulk_modulus_text,
                       "Bulk modulus: a positive number, or \"infinite\" for "
@@ -43,7 +83,7 @@ namespace seiche
                       /*has_to_be_set=*/true);
     prm.add_parameter(
       "Volume law",
-      volume_law,
+      volume_law_name,
       "Pressure of a finite bulk modulus kappa. linear: "
       "kappa (1 - J); logarithmic: -kappa ln J. J is the ratio of "
       "volume to initial volume.",
@@ -56,26 +96,23 @@ namespace seiche
   void
   FluidParameters::check(const InputFile &input)
   {
-    input.read_only_if(bulk_modulus_text != "infinite",
+    const bool is_infinite = bulk_modulus_text == "infinite";
+    input.read_only_if(!is_infinite,
                        "Fluid/Volume law",
                        "a finite Fluid/Bulk modulus");
-    input.require(density > 0.,
-                  "Fluid/Density",
-                  "must be greater than zero [kg/m^3]; water has 1000.");
-    if (bulk_modulus_text == "infinite")
-      {
-        bulk_modulus = std::numeric_limits<double>::infinity();
-        return;
-      }
+    material.check(input);
+    if (is_infinite)
+      return;
     const std::string path = "Fluid/Bulk modulus";
     input.require(bulk_modulus_text.find_first_of("0123456789") !=
                     std::string::npos,
                   path,
                   "allowed are a positive number [Pa] and \"infinite\".");
-    bulk_modulus = entry_values::number(input, path, bulk_modulus_text);
-    input.require(bulk_modulus > 0. && bulk_modulus <= largest_modulus,
+    const double modulus = entry_values::number(input, path, bulk_modulus_text);
+    input.require(modulus > 0. && modulus <= largest_modulus,
                   path,
                   "must be greater than zero and at most 1e30 [Pa], or "
                   "\"infinite\".");
+    volume_law = {modulus, volume_law_name == "logarithmic"};
   }
 } // namespace seiche

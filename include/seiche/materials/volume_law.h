@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_constitutive_volume_law_h
-#define seiche_constitutive_volume_law_h
+#ifndef seiche_materials_volume_law_h
+#define seiche_materials_volume_law_h
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace seiche
 {
   /**
-   * @brief Volumetric strain phi(J) of the pressure law p = -kappa phi(J).
+   * @brief Pressure law p = -kappa phi(J), with the volumetric strain phi(J).
    *
    * linear: phi = J - 1, p stays finite as J -> 0; logarithmic: phi = ln J, p
    * grows without bound. Equal for small strains; with infinite kappa both mean
-   * J = 1.
+   * J = 1. All materials of a scene have the same.
    */
   struct VolumeLaw
   {
-    bool logarithmic = false;
+    /// kappa [Pa]; infinity in the mixed form only
+    double bulk_modulus = std::numeric_limits<double>::infinity();
+    bool   logarithmic  = false;
+
+    bool
+    is_incompressible() const
+    {
+      return std::isinf(bulk_modulus);
+    }
 
     template <typename Number>
     Number

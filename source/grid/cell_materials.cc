@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/cell_materials.h>
+
+#include <algorithm>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  template <int dim>
+  CellMaterials<dim>::CellMaterials(
+    const std::vector<Material> &scene_materials,
+    const Occupancy<dim>        &grid_occupancy)
+    : materials(scene_materials)
+    , occupancy(grid_occupancy)
+  {
+    for (const Material &material : materials)
+      {
+        constant_viscosity = constant_viscosity && material.law->is_constant;
+        inviscid           = inviscid && material.law->is_inviscid();
+        heaviest           = std::max(heaviest, material.density);
+      }
+  }
+
+  template <int dim>
+  std::set<PointColumn>
+  CellMaterials<dim>::columns(const std::vector<Material> &materials)
+  {
+    return materials.size() > 1 ? std::set<PointColumn>{PointColumn::material} :
+                                  std::set<PointColumn>();
+  }
+
+  template <int dim>
+  void
+  CellMaterials<dim>::update(const PointCloud<dim> &points)
+  {
+    if (!are_several())
+      return;
+    sum_points(points);
+    fill_empty_cells();
+    main.assign(occupancy.locator.n_owned(), 0);
+    mixed.assign(occupancy.locator.n_owned(), 0);
+    densities.assign(occupancy.locator.n_cells(), materials[0].density);
+    totals.assign(occupancy.locator.n_owned(), 0.);
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        double       mass = 0., sum = 0.;
+        unsigned int n_held = 0;
+        for (unsigned int m = 0; m < materials.size(); ++m)
+          {
+            const double held = volume(m, cell);
+            mass += materials[m].density * held;
+            sum += held;
+            n_held += held > 0.;
+            if (held > volume(main[cell], cell))
+              main[cell] = m;
+          }
+        mixed[cell]  = n_held > 1;
+        totals[cell] = sum;
+        if (sum > 0.)
+          densities[cell] = mass / sum;
+      }
+    occupancy.locator.exchange_to_ghosts(densities);
+    find_node_densities();
+  }
+
+  template <int dim>
+  void
+  CellMaterials<dim>::sum_points(const PointCloud<dim> &points)
+  {
+    volumes.assign(materials.size(),
+                   std::vector<double>(occupancy.locator.n_cells(), 0.));
+    const double *material = points.data(PointColumn::material);
+    const double *initial  = points.data(PointColumn::initial_volume);
+    for (const unsigned int cell : occupancy.occupied_cells())
+      for (std::size_t p = points.first_point(cell);
+           p < points.first_point(cell + 1);
+           ++p)
+        volume(material[p], cell) += initial[p];
+    for (auto &of_material : volumes)
+      occupancy.locator.exchange_to_ghosts(of_material);
+  }
+
+  template <int dim>
+  void
+  CellMaterials<dim>::fill_empty_cells()
+  {
+    const auto volumes_of_points = volumes;
+    for (const unsigned int cell : occupancy.occupied_cells())
+      if (!occupancy.holds_points(cell))
+        {
+          // the one that there is most of: no mixture without points
+          std::vector<double> around(materials.size(), 0.);
+          for (const unsigned int neighbor :
+               occupancy.locator.vertex_neighbors(cell))
+            for (unsigned int m = 0; m < materials.size(); ++m)
+              around[m] += volumes_of_points[m][neighbor];
+          const unsigned int most =
+            std::max_element(around.begin(), around.end()) - around.begin();
+          volume(most, cell) = occupancy.locator.measure(cell);
+        }
+  }
+
+  template <int dim>
+  void
+  CellMaterials<dim>::find_node_densities()
+  {
+    Vector measures(occupancy.scalar_partitioner());
+    node_density.reinit(occupancy.scalar_partitioner());
+    for (const unsigned int cell : occupancy.occupied_cells())
+      for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+        {
+          const unsigned int node    = occupancy.cell_nodes(cell)[a];
+          const double       measure = occupancy.locator.measure(cell);
+          measures.local_element(node) += measure;
+          node_density.local_element(node) += measure * densities[cell];
+        }
+    measures.compress(VectorOperation::add);
+    node_density.compress(VectorOperation::add);
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      {
+        const double measure = measures.local_element(i);
+        double      &density = node_density.local_element(i);
+        density              = measure > 0. ? density / measure : heaviest;
+      }
+  }
+
+  template <int dim>
+  double
+  CellMaterials<dim>::viscosity(const unsigned int cell,
+                                const double       gamma_square) const
+  {
+    if (!are_several())
+      return materials[0].law->viscosity(gamma_square);
+    double sum = 0., total = 0.;
+    for (unsigned int m = 0; m < materials.size(); ++m)
+      if (const double held = volumes[m][cell]; held > 0.)
+        {
+          sum += held * materials[m].law->viscosity(gamma_square);
+          total += held;
+        }
+    return total > 0. ? sum / total : 0.;
+  }
+
+  template class CellMaterials<2>;
+  template class CellMaterials<3>;
+} // namespace seiche

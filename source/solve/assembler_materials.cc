@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/formulation/point_kinematics.h>
+#include <seiche/formulation/viscous_stress.h>
+#include <seiche/solve/assembler.h>
+
+#include <limits>
+
+// The part of Assembler that knows densities and viscosities of the cells.
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Largest over smallest rho tau1 up to which the pressure block counts as
+    /// a scaled copy of the Schur complement: as many more iterations at most.
+    constexpr double alike_within = 2.;
+  } // namespace
+
+  template <int dim>
+  void
+  Assembler<dim>::find_viscosities(const GridState<dim> &state)
+  {
+    viscosities.assign(occupancy.locator.n_cells(), 0.);
+    for (const unsigned int cell : occupancy.occupied_cells())
+      with_degree(occupancy.degree(cell), [&](const auto degree) {
+        viscosities[cell] = this->template start_viscosity<degree>(cell, state);
+      });
+    occupancy.locator.exchange_to_ghosts(viscosities);
+  }
+
+  template <int dim>
+  template <int degree>
+  double
+  Assembler<dim>::start_viscosity(const unsigned int    cell,
+                                  const GridState<dim> &state) const
+  {
+    PointKinematics<dim, degree, Lanes> centre;
+    Point<dim, Lanes>                   unit;
+    for (unsigned int d = 0; d < dim; ++d)
+      unit[d] = 0.5;
+    centre.shape(unit, occupancy.locator.extent(cell));
+    const auto nodes = occupancy.template unknowns<degree>(cell);
+    double     velocity[dim][CellData<dim, degree>::n_nodes];
+    for (unsigned int i = 0; i < dim; ++i)
+      {
+        for (unsigned int a = 0; a < CellData<dim, degree>::n_nodes; ++a)
+          velocity[i][a] =
+            state.velocity_start.local_element(dim * nodes[a] + i);
+        nodes.expand(velocity[i]);
+      }
+    const Lanes square =
+      gamma_square(shear_rate(centre.gradient(velocity, centre.gradient_n)));
+    return materials.viscosity(cell, square[0]);
+  }
+
+  template <int dim>
+  double
+  Assembler<dim>::largest_viscosity() const
+  {
+    if (!materials.are_several() && materials.has_constant_viscosity())
+      return viscosity(0);
+    double largest = 0.;
+    for (const unsigned int cell : occupancy.occupied_cells())
+      largest = std::max(largest, viscosity(cell));
+    return Utilities::MPI::max(
+      largest, occupancy.scalar_partitioner()->get_mpi_communicator());
+  }
+
+  template <int dim>
+  Tau
+  Assembler<dim>::reference_tau(const double size, const double force) const
+  {
+    return formulation.stabilization.evaluate(
+      tau_arguments(size,
+                    occupancy.fe.degree,
+                    materials.largest_density(),
+                    largest_viscosity(),
+                    force));
+  }
+
+  template <int dim>
+  bool
+  Assembler<dim>::tau_follows_density() const
+  {
+    if (!formulation.stabilization.tau_is_uniform)
+      return false;
+    if (!materials.are_several() && materials.has_constant_viscosity())
+      return true;
+    double least = std::numeric_limits<double>::max(), largest = 0.;
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        const double density = materials.density(cell);
+        const double size = std::pow(occupancy.locator.measure(cell), 1. / dim);
+        const double product =
+          density * formulation.stabilization
+                      .evaluate(tau_arguments(size,
+                                              occupancy.degree(cell),
+                                              density,
+                                              viscosity(cell),
+                                              /*force=*/0.))
+                      .momentum;
+        least   = std::min(least, product);
+        largest = std::max(largest, product);
+      }
+    const MPI_Comm communicator =
+      occupancy.scalar_partitioner()->get_mpi_communicator();
+    return Utilities::MPI::max(largest, communicator) <
+           alike_within * Utilities::MPI::min(least, communicator);
+  }
+
+  template <int dim>
+  std::vector<double>
+  Assembler<dim>::viscous_stiffness(const Vector &mass,
+                                    const double  least_volume) const
+  {
+    std::vector<double> result;
+    if (!step.viscous || materials.are_inviscid())
+      return result;
+    result.resize(occupancy.n_own_nodes(), viscosity(0));
+    if (materials.are_several() || !materials.has_constant_viscosity())
+      {
+        Vector sum(occupancy.scalar_partitioner()),
+          measures(occupancy.scalar_partitioner());
+        for (const unsigned int cell : occupancy.occupied_cells())
+          for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+            {
+              const unsigned int node    = occupancy.cell_nodes(cell)[a];
+              const double       measure = occupancy.locator.measure(cell);
+              measures.local_element(node) += measure;
+              sum.local_element(node) += measure * viscosity(cell);
+            }
+        measures.compress(VectorOperation::add);
+        sum.compress(VectorOperation::add);
+        for (unsigned int i = 0; i < result.size(); ++i)
+          result[i] = measures.local_element(i) > 0. ?
+                        sum.local_element(i) / measures.local_element(i) :
+                        0.;
+      }
+    for (unsigned int i = 0; i < result.size(); ++i)
+      result[i] *=
+        2. * step.rate /
+        std::max(mass.local_element(i) / materials.density_of_node(i),
+                 least_volume);
+    return result;
+  }
+
+#define INSTANTIATE(dim)                                                    \
+  template void   Assembler<dim>::find_viscosities(const GridState<dim> &); \
+  template double Assembler<dim>::largest_viscosity() const;                \
+  template Tau    Assembler<dim>::reference_tau(const double, const double) \
+    const;                                                                  \
+  template bool                Assembler<dim>::tau_follows_density() const; \
+  template std::vector<double> Assembler<dim>::viscous_stiffness(           \
+    const Vector &, const double) const;
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace seiche
