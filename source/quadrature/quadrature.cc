@@ -155,8 +155,7 @@ namespace seiche
     };
 
     /// The inside of the free surface: Gauss points in full cells, as many in
-    /// cut ones; and the loose points. Where materials meet only the points
-    /// know which is where: they stand for the inside.
+    /// cut ones; and the loose points.
     template <int dim>
     class CutCells : public Quadrature<dim>
     {
@@ -202,7 +201,11 @@ namespace seiche
         quadrature.begin_part(material);
         const LinearRatio<dim> J = ratio_of(points, cell, ratio);
         for (unsigned int q = 0; q < gauss.size(); ++q)
-          add(material.density, gauss.point(q), measure * gauss.weight(q), J, quadrature);
+          add(material.density,
+              gauss.point(q),
+              measure * gauss.weight(q),
+              J,
+              quadrature);
         quadrature.full_measure = is_equal ? measure : 0.;
       }
 
@@ -228,8 +231,8 @@ namespace seiche
           add(material.density, x, volume, J, quadrature);
       }
 
-      /// Each material with its share of the inside, everywhere in the cell, and
-      /// all with the mean density: a pressure without a kink in the cell
+      /// Each material with its share of the inside, everywhere in the cell,
+      /// and all with the mean density: a pressure without a kink in the cell
       /// balances the weight then, at every node.
       void
       get_mixed(const unsigned int cell, CellQuadrature<dim> &quadrature) const
@@ -237,7 +240,9 @@ namespace seiche
         quadrature.clear();
         if (const double *loose = fill.loose_shares(points, cell))
           material_points.append(
-            cell, [loose](const std::size_t p) { return loose[p]; }, quadrature);
+            cell,
+            [loose](const std::size_t p) { return loose[p]; },
+            quadrature);
         const double inside =
           fill.surface().inside_share(cell) * points.locator.measure(cell);
         if (inside == 0.)

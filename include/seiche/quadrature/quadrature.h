@@ -161,8 +161,7 @@ namespace seiche
   };
 
   /// Makes fill.rule: cut cells (the inside of Fill::surface(), and its loose
-  /// points; the points where several materials meet) or material points (the
-  /// founding paper's). @p ratio: what points
+  /// points) or material points (the founding paper's). @p ratio: what points
   /// have as volume_ratio that are no material ones. References must outlive
   /// the object.
   template <int dim>
