@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/cell_materials.h>
+#include <seiche/grid/node_means.h>
 
 #include <algorithm>
 
@@ -61,7 +62,13 @@ namespace seiche
           densities[cell] = mass / sum;
       }
     occupancy.locator.exchange_to_ghosts(densities);
-    find_node_densities();
+    node_density = node_means(occupancy, [this](const unsigned int cell) {
+      return densities[cell];
+    });
+    // nodes without fluid, which have no mass either
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      if (node_density.local_element(i) == 0.)
+        node_density.local_element(i) = heaviest;
   }
 
   template <int dim>
@@ -99,30 +106,6 @@ namespace seiche
             std::max_element(around.begin(), around.end()) - around.begin();
           volume(most, cell) = occupancy.locator.measure(cell);
         }
-  }
-
-  template <int dim>
-  void
-  CellMaterials<dim>::find_node_densities()
-  {
-    Vector measures(occupancy.scalar_partitioner());
-    node_density.reinit(occupancy.scalar_partitioner());
-    for (const unsigned int cell : occupancy.occupied_cells())
-      for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-        {
-          const unsigned int node    = occupancy.cell_nodes(cell)[a];
-          const double       measure = occupancy.locator.measure(cell);
-          measures.local_element(node) += measure;
-          node_density.local_element(node) += measure * densities[cell];
-        }
-    measures.compress(VectorOperation::add);
-    node_density.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
-      {
-        const double measure = measures.local_element(i);
-        double      &density = node_density.local_element(i);
-        density              = measure > 0. ? density / measure : heaviest;
-      }
   }
 
   template <int dim>

@@ -176,12 +176,10 @@ namespace seiche
       get(const unsigned int   cell,
           CellQuadrature<dim> &quadrature) const override
       {
-        if (materials.is_mixed(cell))
-          get_mixed(cell, quadrature);
-        else if (fill.is_full(cell))
+        if (fill.is_full(cell) && !materials.is_mixed(cell))
           get_full(cell, quadrature);
         else
-          get_cut(cell, quadrature);
+          get_parts(cell, quadrature);
         quadrature.pad();
       }
 
@@ -199,43 +197,15 @@ namespace seiche
           return;
         quadrature.clear();
         quadrature.begin_part(material);
-        const LinearRatio<dim> J = ratio_of(points, cell, ratio);
-        for (unsigned int q = 0; q < gauss.size(); ++q)
-          add(material.density,
-              gauss.point(q),
-              measure * gauss.weight(q),
-              J,
-              quadrature);
+        add_inside(cell, measure, ratio_of(points, cell, ratio), quadrature);
         quadrature.full_measure = is_equal ? measure : 0.;
       }
 
+      /// Where materials meet each has its share of the inside, everywhere in
+      /// the cell, and all have the mean density: a pressure without a kink in
+      /// the cell balances the weight then, at every node.
       void
-      get_cut(const unsigned int cell, CellQuadrature<dim> &quadrature) const
-      {
-        quadrature.clear();
-        if (const double *loose = fill.loose_shares(points, cell))
-          material_points.append(
-            cell,
-            [loose](const std::size_t p) { return loose[p]; },
-            quadrature);
-        const double share = fill.surface().inside_share(cell);
-        if (share == 0.)
-          return;
-        const Material &material = materials.of_cell(cell);
-        if (quadrature.parts.empty())
-          quadrature.begin_part(material);
-        const LinearRatio<dim> J = ratio_of(points, cell, ratio);
-        const double           volume =
-          share * points.locator.measure(cell) / CutCell<dim>::n_vertices;
-        for (const Point<dim> &x : fill.surface().rule(cell))
-          add(material.density, x, volume, J, quadrature);
-      }
-
-      /// Each material with its share of the inside, everywhere in the cell,
-      /// and all with the mean density: a pressure without a kink in the cell
-      /// balances the weight then, at every node.
-      void
-      get_mixed(const unsigned int cell, CellQuadrature<dim> &quadrature) const
+      get_parts(const unsigned int cell, CellQuadrature<dim> &quadrature) const
       {
         quadrature.clear();
         if (const double *loose = fill.loose_shares(points, cell))
@@ -248,26 +218,36 @@ namespace seiche
         if (inside == 0.)
           return;
         const LinearRatio<dim> J = ratio_of(points, cell, ratio);
+        if (!materials.is_mixed(cell))
+          {
+            if (quadrature.parts.empty())
+              quadrature.begin_part(materials.of_cell(cell));
+            add_inside(cell, inside, J, quadrature);
+            return;
+          }
         for (unsigned int m = 0; m < materials.all().size(); ++m)
           if (const double share = materials.share(m, cell); share > 0.)
             {
               quadrature.begin_part(materials.all()[m]);
-              const double volume = share * inside;
-              if (fill.is_full(cell))
-                for (unsigned int q = 0; q < gauss.size(); ++q)
-                  add(materials.density(cell),
-                      gauss.point(q),
-                      volume * gauss.weight(q),
-                      J,
-                      quadrature);
-              else
-                for (const Point<dim> &x : fill.surface().rule(cell))
-                  add(materials.density(cell),
-                      x,
-                      volume / CutCell<dim>::n_vertices,
-                      J,
-                      quadrature);
+              add_inside(cell, share * inside, J, quadrature);
             }
+      }
+
+      /// The points of a cell's inside, with this volume in all.
+      void
+      add_inside(const unsigned int      cell,
+                 const double            volume,
+                 const LinearRatio<dim> &J,
+                 CellQuadrature<dim>    &quadrature) const
+      {
+        const double density = materials.density(cell);
+        if (fill.is_full(cell))
+          for (unsigned int q = 0; q < gauss.size(); ++q)
+            add(
+              density, gauss.point(q), volume * gauss.weight(q), J, quadrature);
+        else
+          for (const Point<dim> &x : fill.surface().rule(cell))
+            add(density, x, volume / CutCell<dim>::n_vertices, J, quadrature);
       }
 
       /// A point that is no material one, of a volume at t_n: V0 = V_n/J_n.

@@ -40,8 +40,7 @@ namespace seiche
     inertia_offset = &acceleration_offset;
     rate_offset    = &velocity_offset;
     projection     = nullptr;
-    if (step.viscous && !materials.has_constant_viscosity())
-      find_viscosities(state);
+    find_viscosities(state);
   }
 
   template <int dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/formulation/point_kinematics.h>
 #include <seiche/formulation/viscous_stress.h>
+#include <seiche/grid/node_means.h>
 #include <seiche/solve/assembler.h>
 
 #include <limits>
@@ -21,12 +22,31 @@ namespace seiche
   void
   Assembler<dim>::find_viscosities(const GridState<dim> &state)
   {
+    viscosities.clear();
+    viscosity_everywhere = 0.;
+    if (!step.viscous)
+      return;
+    if (!materials.are_several() && materials.has_constant_viscosity())
+      {
+        viscosity_everywhere = materials.all()[0].law->scale;
+        return;
+      }
     viscosities.assign(occupancy.locator.n_cells(), 0.);
     for (const unsigned int cell : occupancy.occupied_cells())
-      with_degree(occupancy.degree(cell), [&](const auto degree) {
-        viscosities[cell] = this->template start_viscosity<degree>(cell, state);
-      });
+      {
+        viscosities[cell] =
+          materials.has_constant_viscosity() ?
+            materials.viscosity(cell, /*gamma_square=*/0.) :
+            with_degree(occupancy.degree(cell), [&](const auto degree) {
+              return this->template start_viscosity<degree>(cell, state);
+            });
+        viscosity_everywhere =
+          std::max(viscosity_everywhere, viscosities[cell]);
+      }
     occupancy.locator.exchange_to_ghosts(viscosities);
+    viscosity_everywhere = Utilities::MPI::max(
+      viscosity_everywhere,
+      occupancy.scalar_partitioner()->get_mpi_communicator());
   }
 
   template <int dim>
@@ -55,19 +75,6 @@ namespace seiche
   }
 
   template <int dim>
-  double
-  Assembler<dim>::largest_viscosity() const
-  {
-    if (!materials.are_several() && materials.has_constant_viscosity())
-      return viscosity(0);
-    double largest = 0.;
-    for (const unsigned int cell : occupancy.occupied_cells())
-      largest = std::max(largest, viscosity(cell));
-    return Utilities::MPI::max(
-      largest, occupancy.scalar_partitioner()->get_mpi_communicator());
-  }
-
-  template <int dim>
   Tau
   Assembler<dim>::reference_tau(const double size, const double force) const
   {
@@ -85,7 +92,7 @@ namespace seiche
   {
     if (!formulation.stabilization.tau_is_uniform)
       return false;
-    if (!materials.are_several() && materials.has_constant_viscosity())
+    if (!materials.are_several() && viscosities.empty())
       return true;
     double least = std::numeric_limits<double>::max(), largest = 0.;
     for (const unsigned int cell : occupancy.occupied_cells())
@@ -117,25 +124,15 @@ namespace seiche
     std::vector<double> result;
     if (!step.viscous || materials.are_inviscid())
       return result;
-    result.resize(occupancy.n_own_nodes(), viscosity(0));
-    if (materials.are_several() || !materials.has_constant_viscosity())
+    result.resize(occupancy.n_own_nodes(), viscosity_everywhere);
+    if (!viscosities.empty())
       {
-        Vector sum(occupancy.scalar_partitioner()),
-          measures(occupancy.scalar_partitioner());
-        for (const unsigned int cell : occupancy.occupied_cells())
-          for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-            {
-              const unsigned int node    = occupancy.cell_nodes(cell)[a];
-              const double       measure = occupancy.locator.measure(cell);
-              measures.local_element(node) += measure;
-              sum.local_element(node) += measure * viscosity(cell);
-            }
-        measures.compress(VectorOperation::add);
-        sum.compress(VectorOperation::add);
+        const Vector means =
+          node_means(occupancy, [this](const unsigned int cell) {
+            return viscosities[cell];
+          });
         for (unsigned int i = 0; i < result.size(); ++i)
-          result[i] = measures.local_element(i) > 0. ?
-                        sum.local_element(i) / measures.local_element(i) :
-                        0.;
+          result[i] = means.local_element(i);
       }
     for (unsigned int i = 0; i < result.size(); ++i)
       result[i] *=
@@ -146,9 +143,8 @@ namespace seiche
   }
 
 #define INSTANTIATE(dim)                                                    \
-  template void   Assembler<dim>::find_viscosities(const GridState<dim> &); \
-  template double Assembler<dim>::largest_viscosity() const;                \
-  template Tau    Assembler<dim>::reference_tau(const double, const double) \
+  template void Assembler<dim>::find_viscosities(const GridState<dim> &);   \
+  template Tau  Assembler<dim>::reference_tau(const double, const double)   \
     const;                                                                  \
   template bool                Assembler<dim>::tau_follows_density() const; \
   template std::vector<double> Assembler<dim>::viscous_stiffness(           \

@@ -85,7 +85,7 @@ namespace seiche
       return are_several() ? densities[cell] : materials[0].density;
     }
 
-    /// Mean density [kg/m^3] of the cells at an own node.
+    /// Mean density [kg/m^3] of the occupied cells at an own node.
     double
     density_of_node(const unsigned int node) const
     {
@@ -123,8 +123,6 @@ namespace seiche
     sum_points(const PointCloud<dim> &points);
     void
     fill_empty_cells();
-    void
-    find_node_densities();
 
     double &
     volume(const unsigned int material, const unsigned int cell)

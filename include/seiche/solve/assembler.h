@@ -37,6 +37,7 @@ namespace seiche
 
     /// Scalars of the step, its start (time and velocity) and the nodal offsets
     /// of acceleration and velocity (TimeScheme), which must outlive the step.
+    /// Collective.
     void
     begin(const StepCoefficients &coefficients,
           const GridState<dim>   &state,
@@ -85,18 +86,18 @@ namespace seiche
     double
     viscosity(const unsigned int cell) const
     {
-      return !step.viscous ? 0. :
-             materials.has_constant_viscosity() ?
-                             materials.viscosity(cell, 0.) :
-                             viscosities[cell];
+      return viscosities.empty() ? viscosity_everywhere : viscosities[cell];
     }
 
-    /// The largest of all cells [Pa s]. Collective.
+    /// The largest of all cells [Pa s].
     double
-    largest_viscosity() const;
+    largest_viscosity() const
+    {
+      return viscosity_everywhere;
+    }
 
     /// tau of a cell of this size [m] under a body force [m/s^2], speed zero,
-    /// with the largest density and viscosity. Collective.
+    /// with the largest density and viscosity.
     Tau
     reference_tau(const double size, const double force) const;
 
@@ -146,10 +147,10 @@ namespace seiche
               const double       size,
               const unsigned int degree) const;
 
-    /// Of laws that depend on the shear rate.
     template <int degree>
     double
     start_viscosity(const unsigned int cell, const GridState<dim> &state) const;
+    /// Collective if they differ.
     void
     find_viscosities(const GridState<dim> &state);
 
@@ -232,7 +233,8 @@ namespace seiche
     const BlockVector     *projection     = nullptr;
     const bool             tau_is_uniform;
     StepCoefficients       step;
-    std::vector<double>    viscosities; // if they depend on the shear rate
+    std::vector<double>    viscosities; // of the cells, if they differ [Pa s]
+    double viscosity_everywhere = 0.;   // or the largest of them [Pa s]
 
     std::tuple<CellData<dim, 1>, CellData<dim, 2>> workspace; // of one cell
   };

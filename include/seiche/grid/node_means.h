@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_grid_node_means_h
+#define seiche_grid_node_means_h
+
+#include <seiche/grid/occupancy.h>
+
+namespace seiche
+{
+  /// Means of value(cell) over the occupied cells at each own node, weighted by
+  /// their measures; zero where there are none. Collective.
+  template <int dim, typename Value>
+  typename Occupancy<dim>::Vector
+  node_means(const Occupancy<dim> &occupancy, const Value &value)
+  {
+    using Vector = typename Occupancy<dim>::Vector;
+    Vector measures(occupancy.scalar_partitioner()),
+      means(occupancy.scalar_partitioner());
+    for (const unsigned int cell : occupancy.occupied_cells())
+      for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+        {
+          const unsigned int node    = occupancy.cell_nodes(cell)[a];
+          const double       measure = occupancy.locator.measure(cell);
+          measures.local_element(node) += measure;
+          means.local_element(node) += measure * value(cell);
+        }
+    measures.compress(dealii::VectorOperation::add);
+    means.compress(dealii::VectorOperation::add);
+    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      if (measures.local_element(i) > 0.)
+        means.local_element(i) /= measures.local_element(i);
+    return means;
+  }
+} // namespace seiche
+
+#endif
