@@ -16,11 +16,11 @@ namespace seiche
       Tensor<2, dim, Lanes> velocity_gradient, stress;
       ViscousStress<dim>    viscous;
 
-      PointState(const CellData<dim, degree>               &cell,
-                 const PointKinematics<dim, degree, Lanes> &point,
-                 const unsigned int                         q,
-                 const Material                            &material,
-                 const VolumeLaw                           &volume_law)
+      PointState(const CellData<dim, degree>        &cell,
+                 const PointKinematics<dim, degree> &point,
+                 const unsigned int                  q,
+                 const Material                     &material,
+                 const VolumeLaw                    &volume_law)
       {
         const Lanes J_n = load<Lanes>(&cell.quadrature.volume_ratio[q]);
         volume_t = point.det_t * J_n * load<Lanes>(&cell.quadrature.volume[q]);
@@ -69,7 +69,7 @@ namespace seiche
   void
   Displacement<dim>::add_residual(CellData<dim, degree> &cell) const
   {
-    PointKinematics<dim, degree, Lanes> point;
+    PointKinematics<dim, degree> point;
     Lanes residual[dim][CellData<dim, degree>::n_nodes] = {};
     cell.quadrature.for_each_batch(
       [&](const unsigned int q, const unsigned int, const Material &material) {
@@ -111,8 +111,8 @@ namespace seiche
   Displacement<dim>::add_tangent(CellData<dim, degree> &cell) const
   {
     cell.clear_tangent();
-    const bool is_viscous = this->tangent_is_viscous(cell);
-    PointKinematics<dim, degree, Lanes> point;
+    const bool                   is_viscous = this->tangent_is_viscous(cell);
+    PointKinematics<dim, degree> point;
     cell.quadrature.for_each_batch([&](const unsigned int q,
                                        const unsigned int n_points,
                                        const Material    &material) {

@@ -77,7 +77,7 @@ namespace seiche
     const Tau              tau     = this->tau(cell);
     const ResidualParts    parts =
       this->stabilization.residual_parts(cell.orthogonal);
-    PointKinematics<dim, degree, Lanes> point;
+    PointKinematics<dim, degree> point;
     Lanes residual_u[dim][n_nodes] = {}, residual_p[n_nodes] = {};
     cell.quadrature.for_each_batch(
       [&](const unsigned int q, const unsigned int, const Material &material) {
@@ -145,7 +145,7 @@ namespace seiche
     const ResidualParts parts =
       this->stabilization.residual_parts(cell.orthogonal);
     const double negligible_force = this->negligible_force(cell, tau);
-    PointKinematics<dim, degree, Lanes> point;
+    PointKinematics<dim, degree> point;
     cell.quadrature.for_each_batch([&](const unsigned int q,
                                        const unsigned int n_points,
                                        const Material    &material) {
@@ -234,8 +234,8 @@ namespace seiche
     const Tau           tau = this->tau(cell);
     const ResidualParts parts =
       this->stabilization.residual_parts(cell.orthogonal);
-    const bool lumped = this->stabilization.projects_lumped;
-    PointKinematics<dim, degree, Lanes> point;
+    const bool                   lumped = this->stabilization.projects_lumped;
+    PointKinematics<dim, degree> point;
     cell.quadrature.for_each_batch(
       [&](const unsigned int q, const unsigned int, const Material &material) {
         point.evaluate(cell, q, /*with_end=*/false);
@@ -244,7 +244,7 @@ namespace seiche
         for (unsigned int a = 0; a < cell.n_nodes; ++a)
           {
             const Lanes weight = load<Lanes>(&cell.quadrature.volume[q]) *
-                                 (lumped ? point.lumped(a) : point.N[a]);
+                                 (lumped ? point.weight(a) : point.N[a]);
             for (unsigned int i = 0; i < dim; ++i)
               cell.residual_u[i][a] +=
                 sum(weight * (state.momentum_residual[i] + state.projected[i]));

@@ -18,11 +18,11 @@ namespace seiche
 
       UnitStiffness()
       {
-        Tensor<1, dim> edges;
+        Point<dim> upper;
         for (unsigned int d = 0; d < dim; ++d)
-          edges[d] = 1.;
+          upper[d] = 1.;
         for_each_gauss_gradient<dim, degree>(
-          edges,
+          {Point<dim>(), upper},
           [this](const double(&gradient)[dim][n_nodes], const double weight) {
             for (unsigned int d = 0; d < dim; ++d)
               for (unsigned int a = 0; a < n_nodes; ++a)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/cell_materials.h>
-#include <seiche/grid/node_means.h>
+#include <seiche/space/node_means.h>
 
 #include <algorithm>
 
@@ -80,9 +80,7 @@ namespace seiche
     const double *material = points.data(PointColumn::material);
     const double *initial  = points.data(PointColumn::initial_volume);
     for (const unsigned int cell : occupancy.occupied_cells())
-      for (std::size_t p = points.first_point(cell);
-           p < points.first_point(cell + 1);
-           ++p)
+      for (const std::size_t p : points.points_in(cell))
         volume(material[p], cell) += initial[p];
     for (auto &of_material : volumes)
       occupancy.locator.exchange_to_ghosts(of_material);
@@ -104,7 +102,7 @@ namespace seiche
               around[m] += volumes_of_points[m][neighbor];
           const unsigned int most =
             std::max_element(around.begin(), around.end()) - around.begin();
-          volume(most, cell) = occupancy.locator.measure(cell);
+          volume(most, cell) = occupancy.locator.geometry(cell).measure;
         }
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/density_projection.h>
 #include <seiche/grid/point_shift.h>
-#include <seiche/utilities/shape_functions.h>
+#include <seiche/space/point_batch.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/solver_cg.h>
@@ -93,7 +93,7 @@ namespace seiche
     CellLaplacian<dim> laplacian;
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        laplacian.reinit(occupancy.locator.extent(cell));
+        laplacian.reinit(occupancy.locator.geometry(cell).edges);
         const unsigned int *nodes = occupancy.cell_nodes(cell);
         for (unsigned int v = 0; v < laplacian.n; ++v)
           inverse_diagonal.local_element(nodes[occupancy.vertex_node(v)]) +=
@@ -141,7 +141,7 @@ namespace seiche
     double             x[CellLaplacian<dim>::n], y[CellLaplacian<dim>::n];
     for (const unsigned int cell : free_cells)
       {
-        laplacian.reinit(occupancy.locator.extent(cell));
+        laplacian.reinit(occupancy.locator.geometry(cell).edges);
         occupancy.vertex_values(cell, src, x);
         for (unsigned int a = 0; a < laplacian.n; ++a)
           {
@@ -208,32 +208,21 @@ namespace seiche
   DensityProjection<dim>::move(const BoundingBox<dim> &domain,
                                PointCloud<dim>        &points) const
   {
-    using Shape         = TensorShape<dim, 1>;
-    const auto &locator = occupancy.locator;
-    double      N[Shape::n_nodes], dN[Shape::n_nodes][dim];
-    double      psi[Shape::n_nodes];
+    PointBatch<dim, 1, double> point;
+    double                     psi[point.n_nodes];
     for (const unsigned int cell : free_cells)
       {
         occupancy.vertex_values(cell, potential, psi);
+        const auto           &geometry = occupancy.locator.geometry(cell);
         const PointShift<dim> shift(cell, points, domain);
-        for (std::size_t p = points.first_point(cell);
-             p < points.first_point(cell + 1);
-             ++p)
+        for (const std::size_t p : points.points_in(cell))
           {
-            Point<dim> unit = locator.to_unit(cell, points.position(p));
+            const Point<dim> place =
+              geometry.clamped(points.position(p)); // it has moved
+            point.reinit(geometry, geometry.to_unit(place));
+            Tensor<1, dim> delta = geometry.to_unit(point.gradient(psi));
             for (unsigned int d = 0; d < dim; ++d)
-              unit[d] = std::clamp(unit[d], 0., 1.); // it has moved
-            Shape::evaluate(unit, N, dN);
-            Tensor<1, dim> delta; // [cells]
-            for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-              for (unsigned int d = 0; d < dim; ++d)
-                delta[d] += dN[v][d] * psi[v];
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                const double h = locator.extent(cell)[d];
-                delta[d] =
-                  std::clamp(delta[d] / (h * h), -longest_shift, longest_shift);
-              }
+              delta[d] = std::clamp(delta[d], -longest_shift, longest_shift);
             shift.apply(p, delta);
           }
       }

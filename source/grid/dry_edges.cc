@@ -35,7 +35,7 @@ namespace seiche
           if (occupancy.fe.degree > 1 && occupancy.hanging().hangs(cell, a))
             wet[node] = ~0u; // masters lie elsewhere: all stays fixed
           for (const unsigned int face : GeometryInfo<dim>::face_indices())
-            if (occupancy.place(a, face / 2) ==
+            if (occupancy.line_index(a, face / 2) ==
                   (face % 2) * occupancy.fe.degree &&
                 locator.boundary_id(cell, face) !=
                   numbers::internal_face_boundary_id)

@@ -75,7 +75,7 @@ namespace seiche
           std::accumulate(volume + points.first_point(cell),
                           volume + points.first_point(cell + 1),
                           0.);
-        fill[cell] = rounded(sum / locator.measure(cell));
+        fill[cell] = rounded(sum / locator.geometry(cell).measure);
         total += sum;
         boxes.add(points, volume, cell, node_fill);
       }
@@ -123,14 +123,11 @@ namespace seiche
     has_loose.assign(locator.n_owned(), 0);
     for (const unsigned int cell : occupancy.occupied_cells())
       if (surface().inside_share(cell) < 1.)
-        for (std::size_t p = points.first_point(cell);
-             p < points.first_point(cell + 1);
-             ++p)
+        for (const std::size_t p : points.points_in(cell))
           {
             // round-off must not make a point part of the quadrature
-            loose[p] = rounded(
-              surface().loose_share(cell,
-                                    locator.to_unit(cell, points.position(p))));
+            loose[p]        = rounded(surface().loose_share(
+              cell, locator.geometry(cell).to_unit(points.position(p))));
             has_loose[cell] = has_loose[cell] || loose[p] > 0.;
           }
   }
@@ -150,7 +147,7 @@ namespace seiche
                               share + points.n_points_in(cell),
                               volume,
                               0.) /
-           occupancy.locator.measure(cell);
+           occupancy.locator.geometry(cell).measure;
   }
 
   template <int dim>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/ghost_face_matrix.h>
+#include <seiche/space/point_batch.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -13,8 +14,8 @@ namespace seiche
                                          const Occupancy<dim> &occupancy)
   {
     const auto &locator = occupancy.locator;
-    h                   = 0.5 * (locator.extent(face.lower)[face.direction] +
-               locator.extent(face.upper)[face.direction]);
+    h = 0.5 * (locator.geometry(face.lower).edges[face.direction] +
+               locator.geometry(face.upper).edges[face.direction]);
     if (degree == 1 && locator.level(face.lower) == locator.level(face.upper) &&
         occupancy.template unknowns<degree>(face.lower).matrix == nullptr &&
         occupancy.template unknowns<degree>(face.upper).matrix == nullptr)
@@ -31,8 +32,8 @@ namespace seiche
   {
     const auto        &locator = occupancy.locator;
     const unsigned int n       = face.direction;
-    const double       h_lower = locator.extent(face.lower)[n];
-    const double       h_upper = locator.extent(face.upper)[n];
+    const double       h_lower = locator.geometry(face.lower).edges[n];
+    const double       h_upper = locator.geometry(face.upper).edges[n];
     // jump of the normal derivative in terms of the three nodes on a line
     const double jump[3] = {1. / h_lower,
                             -1. / h_lower - 1. / h_upper,
@@ -67,7 +68,8 @@ namespace seiche
             if (d != n)
               {
                 const bool same = ((t >> bit) & 1u) == ((r >> bit) & 1u);
-                mass *= locator.extent(face.lower)[d] / (same ? 3. : 6.);
+                mass *=
+                  locator.geometry(face.lower).edges[d] / (same ? 3. : 6.);
                 ++bit;
               }
           for (unsigned int s = 0; s < 3; ++s)
@@ -87,22 +89,21 @@ namespace seiche
     double               *first,
     double               *second)
   {
-    constexpr unsigned int n      = Shape::n_nodes;
-    const double           length = occupancy.locator.extent(cell)[direction];
-    const Point<dim>       unit =
-      occupancy.locator.to_unit(cell, occupancy.locator.image(x, cell));
-    double     N[n], slope[n][dim];
-    const auto unknowns = occupancy.template unknowns<degree>(cell);
-    Shape::evaluate(unit, N, slope);
+    constexpr unsigned int n        = Shape::n_nodes;
+    const auto            &geometry = occupancy.locator.geometry(cell);
+    const Point<dim> unit = geometry.to_unit(occupancy.locator.image(x, cell));
+    const auto       unknowns = occupancy.template unknowns<degree>(cell);
+    PointBatch<dim, degree, double> point;
+    point.reinit(geometry, unit);
     for (unsigned int a = 0; a < n; ++a)
-      first[a] = sign * slope[a][direction] / length;
+      first[a] = sign * point.gradient_n[direction][a];
     unknowns.condense(first);
     if constexpr (degree > 1)
       {
         for (unsigned int a = 0; a < n; ++a)
           second[a] = sign *
                       Shape::second_derivative(unit, a, direction, direction) /
-                      (length * length);
+                      (geometry.edges[direction] * geometry.edges[direction]);
         unknowns.condense(second);
       }
   }
@@ -118,8 +119,8 @@ namespace seiche
     const bool lower_is_small =
       locator.level(face.lower) >= locator.level(face.upper);
     const unsigned int small = lower_is_small ? face.lower : face.upper;
-    const Point<dim>   begin = locator.lower_corner(small);
-    const auto        &size  = locator.extent(small);
+    const Point<dim>   begin = locator.geometry(small).lower;
+    const auto        &size  = locator.geometry(small).edges;
 
     n_nodes = 2 * n;
     for (unsigned int a = 0; a < n; ++a)

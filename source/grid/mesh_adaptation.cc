@@ -289,12 +289,14 @@ namespace seiche
         bool wanted = criterion.kind == RefinementKind::box;
         if (!wanted && holds_fluid[cell])
           wanted = true;
-        if (wanted &&
-            std::any_of(
-              places.begin(), places.end(), [&](const BoundingBox<dim> &place) {
-                return gap(place, locator.box(cell), grid.parameters) <=
-                       criterion.distance;
-              }))
+        if (wanted && std::any_of(places.begin(),
+                                  places.end(),
+                                  [&](const BoundingBox<dim> &place) {
+                                    return gap(place,
+                                               locator.geometry(cell).box(),
+                                               grid.parameters) <=
+                                           criterion.distance;
+                                  }))
           wanted_level[cell] = std::max(wanted_level[cell], level);
       }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/point_boxes.h>
-#include <seiche/utilities/shape_functions.h>
+#include <seiche/space/point_batch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,11 +105,11 @@ namespace seiche
                                  const Point<dim>  &unit) const
   {
     const auto &locator = occupancy.locator;
-    Point<dim>  place   = locator.lower_corner(cell);
+    Point<dim>  near    = unit;
     for (unsigned int d = 0; d < dim; ++d)
-      place[d] +=
-        std::clamp(unit[d], -beside, 1. + beside) * locator.extent(cell)[d];
-    if (locator.holds(cell, place))
+      near[d] = std::clamp(unit[d], -beside, 1. + beside);
+    const Point<dim> place = locator.geometry(cell).to_real(near);
+    if (locator.geometry(cell).holds(place))
       return cell;
     const unsigned int found = locator.find(place, cell);
     return found == locator.invalid ? cell : found;
@@ -126,10 +126,8 @@ namespace seiche
     for (unsigned int d = 0, rest = side; d < dim; ++d, rest /= 3)
       unit[d] = near[rest % 3];
     const unsigned int found = find_touching(cell, unit);
-    for (unsigned int d = 0; d < dim; ++d)
-      if (std::abs(locator.extent(found)[d] - locator.extent(cell)[d]) >
-          1e-6 * locator.extent(cell)[d])
-        return locator.invalid;
+    if (!locator.geometry(found).is_congruent(locator.geometry(cell)))
+      return locator.invalid;
     return found;
   }
 
@@ -168,20 +166,18 @@ namespace seiche
                           const double                     content,
                           typename Occupancy<dim>::Vector &sums) const
   {
-    using Shape         = TensorShape<dim, 1>;
-    const auto &locator = occupancy.locator;
-    Point<dim>  place   = locator.lower_corner(cell);
-    for (unsigned int d = 0; d < dim; ++d)
-      place[d] += unit[d] * locator.extent(cell)[d];
-    const unsigned int holder = find_touching(cell, unit);
-    Point<dim> inside = locator.to_unit(holder, locator.image(place, holder));
+    const auto        &locator = occupancy.locator;
+    const Point<dim>   place   = locator.geometry(cell).to_real(unit);
+    const unsigned int holder  = find_touching(cell, unit);
+    Point<dim>         inside =
+      locator.geometry(holder).to_unit(locator.image(place, holder));
     for (unsigned int d = 0; d < dim; ++d)
       inside[d] = std::clamp(inside[d], 0., 1.);
-    double N[Shape::n_nodes];
-    Shape::values(inside, N);
-    for (double &value : N)
+    PointBatch<dim, 1, double> point;
+    point.reinit_values(inside);
+    for (double &value : point.N)
       value *= content;
-    occupancy.add_vertex_values(holder, N, sums);
+    occupancy.add_vertex_values(holder, point.N, sums);
   }
 
   template <int dim>
@@ -236,21 +232,19 @@ namespace seiche
                        const unsigned int               cell,
                        typename Occupancy<dim>::Vector &sums) const
   {
-    using Shape                    = TensorShape<dim, 1>;
-    const auto            &locator = occupancy.locator;
-    constexpr unsigned int here    = n_sides / 2;
-    Integrals              integrals;
+    const auto                &geometry = occupancy.locator.geometry(cell);
+    constexpr unsigned int     here     = n_sides / 2;
+    PointBatch<dim, 1, double> point;
+    Integrals                  integrals;
     integrals.exists[here] = true;
     integrals.holder[here] = cell;
     auto &of_vertices      = integrals.of_vertices[here];
     of_vertices.fill(0.);
     double ratio = 0., edge = 0.;
-    for (std::size_t p = points.first_point(cell);
-         p < points.first_point(cell + 1);
-         ++p)
+    for (const std::size_t p : points.points_in(cell))
       {
-        const Point<dim> unit = locator.to_unit(cell, points.position(p));
-        if (const double now = volume[p] / locator.measure(cell); now != ratio)
+        const Point<dim> unit = geometry.to_unit(points.position(p));
+        if (const double now = volume[p] / geometry.measure; now != ratio)
           {
             ratio = now; // mostly that of the point before
             edge = std::min(1., dim == 2 ? std::sqrt(ratio) : std::cbrt(ratio));
@@ -261,10 +255,9 @@ namespace seiche
             is_inside && std::abs(unit[d] - 0.5) <= 0.5 * (1. - edge) + touches;
         if (is_inside)
           {
-            double N[Shape::n_nodes];
-            Shape::values(unit, N);
-            for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-              of_vertices[v] += N[v] * volume[p];
+            point.reinit_values(unit);
+            for (unsigned int v = 0; v < point.n_nodes; ++v)
+              of_vertices[v] += point.N[v] * volume[p];
             continue;
           }
         Part         along[dim][2];
@@ -283,7 +276,8 @@ namespace seiche
           }
       }
     for (unsigned int side = 0; side < n_sides; ++side)
-      if (integrals.exists[side] && integrals.holder[side] != locator.invalid)
+      if (integrals.exists[side] &&
+          integrals.holder[side] != CellLocator<dim>::invalid)
         occupancy.add_vertex_values(integrals.holder[side],
                                     integrals.of_vertices[side].data(),
                                     sums);

@@ -36,8 +36,8 @@ namespace seiche
   PointShift<dim>::apply(const std::size_t point, Tensor<1, dim> delta) const
   {
     const auto           &locator = points.locator;
-    const Tensor<1, dim> &extent  = locator.extent(cell);
-    const Point<dim>     &lower   = locator.lower_corner(cell);
+    const Tensor<1, dim> &extent  = locator.geometry(cell).edges;
+    const Point<dim>     &lower   = locator.geometry(cell).lower;
     Point<dim>            place;
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -57,7 +57,7 @@ namespace seiche
         delta[d] *= extent[d];
         place[d] += delta[d];
       }
-    if (!locator.holds(cell, place))
+    if (!locator.geometry(cell).holds(place))
       {
         // no farther than every rank that has the cell can see
         for (unsigned int d = 0; d < dim; ++d)

@@ -86,9 +86,7 @@ namespace seiche
         if (fill.is_cut(cell) || points.n_points_in(cell) <= limit)
           continue;
         alive.clear();
-        for (std::size_t p = points.first_point(cell);
-             p < points.first_point(cell + 1);
-             ++p)
+        for (const std::size_t p : points.points_in(cell))
           alive.push_back(p);
         while (alive.size() > limit)
           if (const auto p = merge_pair(points, alive))
@@ -210,9 +208,7 @@ namespace seiche
     const double            *volume = points.data(PointColumn::initial_volume);
     std::vector<std::size_t> own;
     std::vector<Point<dim>>  places;
-    for (std::size_t p = points.first_point(cell);
-         p < points.first_point(cell + 1);
-         ++p)
+    for (const std::size_t p : points.points_in(cell))
       {
         own.push_back(p);
         places.push_back(points.position(p));
@@ -224,7 +220,7 @@ namespace seiche
     const std::size_t wanted = fewest * size_of(cell);
     // halves of smaller ones would be lighter than those that are merged
     const double smallest =
-      occupancy.locator.measure(cell) / (most * size_of(cell));
+      occupancy.locator.geometry(cell).measure / (most * size_of(cell));
     for (const std::size_t p : own)
       {
         if (places.size() >= wanted || volume[p] < smallest)
@@ -263,11 +259,12 @@ namespace seiche
         double scale = 1.;
         for (unsigned int c = 0; c < dim; ++c)
           if (d[c] != 0.)
-            scale = std::min(scale,
-                             0.99 *
-                               std::min(x[c] - locator.lower_corner(cell)[c],
-                                        locator.upper_corner(cell)[c] - x[c]) /
-                               std::abs(d[c]));
+            scale =
+              std::min(scale,
+                       0.99 *
+                         std::min(x[c] - locator.geometry(cell).lower[c],
+                                  locator.geometry(cell).upper[c] - x[c]) /
+                         std::abs(d[c]));
         d *= std::max(scale, 0.);
         double room = 4. * d.norm_square();
         for (const Point<dim> &other : others)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/row_mass.h>
-#include <seiche/grid/shape_integrals.h>
+#include <seiche/space/shape_integrals.h>
 
 namespace seiche
 {

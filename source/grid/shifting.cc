@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/point_shift.h>
 #include <seiche/grid/shifting.h>
-#include <seiche/utilities/shape_functions.h>
+#include <seiche/space/point_batch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,16 +28,15 @@ namespace seiche
   void
   Shifting<dim>::sweep(PointCloud<dim> &points)
   {
-    using Shape                       = TensorShape<dim, 1>;
-    constexpr unsigned int n_vertices = Shape::n_nodes;
-    const auto            &locator    = occupancy.locator;
-    const auto             domain     = locator.domain();
+    PointBatch<dim, 1, double> point;
+    constexpr unsigned int     n_vertices = point.n_nodes;
+    const auto                &locator    = occupancy.locator;
+    const auto                 domain     = locator.domain();
     excess.assign(locator.n_cells(), 0.);
     for (const unsigned int cell : occupancy.occupied_cells())
       excess[cell] = fill.cell_fill(cell) - fill.inside_share(cell);
     locator.exchange_to_ghosts(excess);
 
-    double N[n_vertices], dN[n_vertices][dim];
     double f[n_vertices], f_h[n_vertices], s[n_vertices];
     for (const unsigned int cell : occupancy.occupied_cells())
       {
@@ -63,27 +62,23 @@ namespace seiche
                   (side == 0 ? -1. : 1.) * (excess[other] - excess[cell]);
             }
 
-        const PointShift<dim> shift(cell, points, domain);
-        for (std::size_t p = points.first_point(cell);
-             p < points.first_point(cell + 1);
-             ++p)
+        const CellGeometry<dim> &geometry = locator.geometry(cell);
+        const PointShift<dim>    shift(cell, points, domain);
+        for (const std::size_t p : points.points_in(cell))
           {
-            const Point<dim> unit = locator.to_unit(cell, points.position(p));
-            Shape::evaluate(unit, N, dN);
-            double         weight = 0.;
-            Tensor<1, dim> delta;
-            for (unsigned int v = 0; v < n_vertices; ++v)
-              {
-                weight += N[v] * s[v];
-                for (unsigned int d = 0; d < dim; ++d)
-                  delta[d] -= strength * dN[v][d] * f[v];
-              }
-            for (unsigned int d = 0; d < dim; ++d)
-              delta[d] -= strength * cell_share *
-                          ((1. - unit[d]) * jump[d][0] + unit[d] * jump[d][1]);
+            const Point<dim> unit = geometry.to_unit(points.position(p));
+            point.reinit(geometry, unit);
+            const double         weight = point.value(s);
+            const Tensor<1, dim> slope  = geometry.to_real(point.gradient(f));
+            Tensor<1, dim>       delta; // [cells]
             for (unsigned int d = 0; d < dim; ++d)
               delta[d] =
-                std::clamp(weight * delta[d], -longest_shift, longest_shift);
+                std::clamp(-strength * weight *
+                             (slope[d] +
+                              cell_share * ((1. - unit[d]) * jump[d][0] +
+                                            unit[d] * jump[d][1])),
+                           -longest_shift,
+                           longest_shift);
             shift.apply(p, delta);
           }
       }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/surface.h>
-#include <seiche/utilities/shape_functions.h>
+#include <seiche/space/point_batch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,13 +98,11 @@ namespace seiche
   Surface<dim>::loose_share(const unsigned int cell,
                             const Point<dim>  &unit) const
   {
-    using Shape = TensorShape<dim, 1>;
-    double r[Shape::n_nodes], N[Shape::n_nodes];
+    PointBatch<dim, 1, double> point;
+    double                     r[point.n_nodes];
     occupancy.vertex_values(cell, represented, r);
-    Shape::values(unit, N);
-    double missing = 1.;
-    for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-      missing -= N[v] * r[v];
+    point.reinit_values(unit);
+    const double missing = 1. - point.value(r);
     return shares[cell] == 0. ? std::max(missing, least_loose) :
                                 missing * (1. - shares[cell]);
   }
@@ -146,25 +144,25 @@ namespace seiche
   void
   Surface<dim>::integrate()
   {
-    using Shape         = TensorShape<dim, 1>;
-    const auto &locator = occupancy.locator;
+    PointBatch<dim, 1, double> point;
+    const auto                &locator = occupancy.locator;
     inside_fill.reinit(occupancy.scalar_partitioner());
-    double N[Shape::n_nodes], of_vertices[Shape::n_nodes];
+    double of_vertices[point.n_nodes];
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         if (shares[cell] == 0.)
           continue;
         std::fill(std::begin(of_vertices), std::end(of_vertices), 0.);
         const double weight =
-          shares[cell] * locator.measure(cell) / Shape::n_nodes;
-        for (unsigned int q = 0; q < Shape::n_nodes; ++q)
+          shares[cell] * locator.geometry(cell).measure / point.n_nodes;
+        for (unsigned int q = 0; q < point.n_nodes; ++q)
           if (shares[cell] == 1.)
             of_vertices[q] = weight;
           else
             {
-              Shape::values(rule(cell)[q], N);
-              for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-                of_vertices[v] += N[v] * weight;
+              point.reinit_values(rule(cell)[q]);
+              for (unsigned int v = 0; v < point.n_nodes; ++v)
+                of_vertices[v] += point.N[v] * weight;
             }
         occupancy.add_vertex_values(cell, of_vertices, inside_fill);
       }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/shape_integrals.h>
 #include <seiche/grid/wall_contact.h>
 #include <seiche/grid/wall_impulse.h>
+#include <seiche/space/shape_integrals.h>
 
 #include <algorithm>
 #include <limits>
@@ -60,7 +60,7 @@ namespace seiche
                   unilateral && locator.grid.wall_condition(entry.wall) ==
                                   WallCondition::unilateral;
                 sides |= entry.sides;
-                const double edge = locator.extent(entry.cell)[c];
+                const double edge = locator.geometry(entry.cell).edges[c];
                 extent            = std::min(extent, edge);
                 width =
                   std::min(width,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/shape_integrals.h>
 #include <seiche/grid/wall_friction.h>
+#include <seiche/space/shape_integrals.h>
 
 #include <deal.II/base/geometry_info.h>
 

@@ -146,7 +146,7 @@ namespace seiche
   bool
   BodyPieces<dim>::is_apart_from(const unsigned int cell) const
   {
-    return apart(region.bounding_box(), locator.box(cell));
+    return apart(region.bounding_box(), locator.geometry(cell).box());
   }
 
   template <int dim>
@@ -246,7 +246,7 @@ namespace seiche
             if (cell == CellLocator<dim>::invalid)
               return false;
             const unsigned int n    = locator.lattice_size(cell);
-            const Point<dim>   unit = locator.to_unit(cell, x);
+            const Point<dim>   unit = locator.geometry(cell).to_unit(x);
             for (unsigned int e = 0; e < dim; ++e)
               offset[e] = std::clamp<double>(unit[e] * n, 0., n - 1.);
           }

@@ -75,7 +75,7 @@ namespace seiche
       const char *begin = reinterpret_cast<const char *>(&value);
       bytes.insert(bytes.end(), begin, begin + sizeof(value));
     };
-    for (std::size_t p = first_point(cell); p < first_point(cell + 1); ++p)
+    for (const std::size_t p : points_in(cell))
       {
         append(point_ids[p]);
         for (const auto &array : arrays)

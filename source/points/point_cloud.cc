@@ -195,7 +195,8 @@ namespace seiche
         dealii::Point<dim> here;
         for (unsigned int d = 0; d < dim; ++d)
           here[d] = x[d][p];
-        if (point_cells[p] != invalid && locator.holds(point_cells[p], here))
+        if (point_cells[p] != invalid &&
+            locator.geometry(point_cells[p]).holds(here))
           continue;
 
         // a position that is not a number has no cell and is not put back
@@ -210,12 +211,14 @@ namespace seiche
             else
               ++census.n_put_back;
           }
-        if (cell != invalid && !locator.holds(cell, position(p)))
+        if (cell != invalid && !locator.geometry(cell).holds(position(p)))
           // on a wall up to round-off: put it there, so that no shape
           // function becomes negative
-          for (unsigned int d = 0; d < dim; ++d)
-            x[d][p] = std::min(std::max(x[d][p], locator.lower_corner(cell)[d]),
-                               locator.upper_corner(cell)[d]);
+          {
+            const auto inside = locator.geometry(cell).clamped(position(p));
+            for (unsigned int d = 0; d < dim; ++d)
+              x[d][p] = inside[d];
+          }
         census.moved   = census.moved || cell != point_cells[p];
         point_cells[p] = cell;
         if (cell != invalid && cell >= locator.n_owned())
@@ -237,10 +240,11 @@ namespace seiche
         locator.grid.wall_condition(wall) == WallCondition::no_slip)
       return invalid;
     const auto &box = locator.grid.parameters.obstacles[wall - 2 * dim];
-    const dealii::Tensor<1, dim> extent  = locator.extent(point_cells[point]);
-    double                       nearest = std::numeric_limits<double>::max();
-    unsigned int                 result = invalid, direction = 0;
-    double                       place = 0.;
+    const dealii::Tensor<1, dim> extent =
+      locator.geometry(point_cells[point]).edges;
+    double       nearest = std::numeric_limits<double>::max();
+    unsigned int result = invalid, direction = 0;
+    double       place = 0.;
     for (unsigned int d = 0; d < dim; ++d)
       for (const double face : {box.lower_corner[d], box.upper_corner[d]})
         {
@@ -307,7 +311,7 @@ namespace seiche
           last_cell +=
             fmt::format("{}{:.6g}",
                         d == 0 ? "; its last cell starts at (" : ", ",
-                        locator.lower_corner(point_cells[point])[d]);
+                        locator.geometry(point_cells[point]).lower[d]);
       }
     if (!last_cell.empty())
       last_cell += ")";

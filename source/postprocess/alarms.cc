@@ -130,7 +130,7 @@ namespace seiche
       std::array<double, 2> parts{}; // excess, gaps
       for (const unsigned int cell : view.occupancy.occupied_cells())
         {
-          const double measure = view.occupancy.locator.measure(cell);
+          const double measure = view.occupancy.locator.geometry(cell).measure;
           parts[0] += (view.fill.inside_share(cell) +
                        view.fill.loose_volume(cell, view.points) -
                        view.fill.cell_fill(cell)) *
@@ -154,7 +154,7 @@ namespace seiche
       for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
         if (view.fill.closed_chambers().holds_cell(cell))
           {
-            const double volume = locator.measure(cell);
+            const double volume = locator.geometry(cell).measure;
             air_and_volume[0] += (1. - view.fill.cell_fill(cell)) * volume;
             air_and_volume[1] += volume;
           }
@@ -172,9 +172,7 @@ namespace seiche
       std::array<double, 2> change_and_volume{};
       for (const unsigned int cell : view.occupancy.occupied_cells())
         if (!view.fill.closed_chambers().holds_cell(cell))
-          for (std::size_t p = view.points.first_point(cell);
-               p < view.points.first_point(cell + 1);
-               ++p)
+          for (const std::size_t p : view.points.points_in(cell))
             {
               change_and_volume[0] += (J[p] - 1.) * initial[p];
               change_and_volume[1] += initial[p];
@@ -195,9 +193,7 @@ namespace seiche
       for (const unsigned int cell : view.occupancy.occupied_cells())
         {
           double volume = 0., change = 0., pressure = 0.;
-          for (std::size_t q = view.points.first_point(cell);
-               q < view.points.first_point(cell + 1);
-               ++q)
+          for (const std::size_t q : view.points.points_in(cell))
             {
               volume += initial[q];
               change += (J[q] - 1.) * initial[q];

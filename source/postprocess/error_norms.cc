@@ -192,7 +192,8 @@ namespace seiche
             computed = place.vector_value(view.state.velocity_np1);
           add(view.occupancy.locator.wrapped(x),
               computed,
-              view.occupancy.locator.measure(cell) * quadrature.weight(q));
+              view.occupancy.locator.geometry(cell).measure *
+                quadrature.weight(q));
         }
   }
 

@@ -137,9 +137,10 @@ namespace seiche
     double      result  = none;
     for (const unsigned int cell : under_ceiling)
       {
-        Point<dim> unit = locator.to_unit(cell, locator.image(place, cell));
-        unit[dim - 1]   = 1.;
-        bool inside     = true;
+        Point<dim> unit =
+          locator.geometry(cell).to_unit(locator.image(place, cell));
+        unit[dim - 1] = 1.;
+        bool inside   = true;
         for (unsigned int d = 0; d + 1 < dim; ++d)
           inside = inside && unit[d] >= -slack && unit[d] <= 1. + slack;
         if (inside && level_at(view, cell, unit) < 0.)
@@ -156,7 +157,7 @@ namespace seiche
     const unsigned int top     = 2 * dim - 1;
     return locator.boundary_id(cell, top) == top ?
              view.box.get_boundary_points().second[dim - 1] :
-             locator.upper_corner(cell)[dim - 1];
+             locator.geometry(cell).upper[dim - 1];
   }
 
   template <int dim>
@@ -184,9 +185,7 @@ namespace seiche
       {
         SurfacePiece<dim> before = piece.unit;
         for (Point<dim> &x : before)
-          for (unsigned int d = 0; d < dim; ++d)
-            x[d] = locator.lower_corner(piece.cell)[d] +
-                   x[d] * locator.extent(piece.cell)[d];
+          x = locator.geometry(piece.cell).to_real(x);
         result = std::max(result,
                           height<dim>(piece.place,
                                       before,
@@ -227,13 +226,14 @@ namespace seiche
         {
           const double area =
             share_of_upper_face<dim>(view.fill.surface().level_in(cell)) *
-            locator.measure(cell) / locator.extent(cell)[dim - 1];
+            locator.geometry(cell).measure /
+            locator.geometry(cell).edges[dim - 1];
           result.area += area;
           result.volume += area * ceiling_over(cell);
         }
     for (const unsigned int cell : view.occupancy.occupied_cells())
-      result.volume +=
-        view.fill.loose_volume(cell, view.points) * locator.measure(cell);
+      result.volume += view.fill.loose_volume(cell, view.points) *
+                       locator.geometry(cell).measure;
     return result;
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/grid_evaluation.h>
-#include <seiche/utilities/shape_functions.h>
+#include <seiche/space/point_batch.h>
 
 namespace seiche
 {
@@ -13,23 +13,15 @@ namespace seiche
     constexpr unsigned int max_iterations = 8;
     constexpr double       tolerance      = 1e-10; // of a cell edge
 
+    /// @p way in units of the cell
     template <int dim>
     bool
-    is_small(const Tensor<1, dim> &way, const Tensor<1, dim> &extent)
+    is_small(const Tensor<1, dim> &way)
     {
       for (unsigned int d = 0; d < dim; ++d)
-        if (std::abs(way[d]) > tolerance * extent[d])
+        if (std::abs(way[d]) > tolerance)
           return false;
       return true;
-    }
-
-    template <int dim>
-    Point<dim>
-    clamp(Point<dim> x, const Point<dim> &lower, const Point<dim> &upper)
-    {
-      for (unsigned int d = 0; d < dim; ++d)
-        x[d] = std::min(std::max(x[d], lower[d]), upper[d]);
-      return x;
     }
   } // namespace
 
@@ -62,7 +54,9 @@ namespace seiche
     cell = new_cell;
     unit = new_unit;
     with_degree(occupancy.fe.degree, [&](const auto degree) {
-      TensorShape<dim, degree>::values(unit, shapes.data());
+      PointBatch<dim, degree, double> point;
+      point.reinit_values(unit);
+      std::copy(std::begin(point.N), std::end(point.N), shapes.begin());
     });
     occupancy.condense(cell, shapes.data());
   }
@@ -73,24 +67,26 @@ namespace seiche
   {
     const CellLocator<dim> &locator = occupancy.locator;
     const auto [lower, upper]       = locator.domain().get_boundary_points();
+    const CellGeometry<dim> domain(lower, upper);
 
-    Point<dim> xi = clamp(locator.wrapped(x), lower, upper);
+    Point<dim> xi = domain.clamped(locator.wrapped(x));
     cell          = locator.find(xi, cell);
     if (cell == CellLocator<dim>::invalid || !occupancy.is_active(cell))
       return false;
-    reinit(cell, locator.to_unit(cell, xi));
+    reinit(cell, locator.geometry(cell).to_unit(xi));
     for (unsigned int i = 0; i < max_iterations; ++i)
       {
         const Point<dim> start =
           x - theta * vector_value(view.state.displacement());
-        const Point<dim>   next = clamp(locator.wrapped(start), lower, upper);
+        const Point<dim>   next      = domain.clamped(locator.wrapped(start));
         const unsigned int next_cell = locator.find(next, cell);
         // into an obstacle or beyond what this rank knows: stay
         if (next_cell == CellLocator<dim>::invalid ||
             !occupancy.is_active(next_cell))
           break;
-        reinit(next_cell, locator.to_unit(next_cell, next));
-        if (is_small(locator.shortest(next - xi), locator.extent(cell)))
+        reinit(next_cell, locator.geometry(next_cell).to_unit(next));
+        if (is_small(
+              locator.geometry(cell).to_unit(locator.shortest(next - xi))))
           break;
         xi = next;
       }
@@ -103,22 +99,18 @@ namespace seiche
                                     const Point<dim>  &x,
                                     const double       theta)
   {
-    const CellLocator<dim> &locator = occupancy.locator;
-    const Point<dim>       &lower   = locator.lower_corner(cell_at_start);
-    const Point<dim>        upper   = lower + locator.extent(cell_at_start);
+    const CellLocator<dim>  &locator  = occupancy.locator;
+    const CellGeometry<dim> &geometry = locator.geometry(cell_at_start);
 
     const Point<dim> end = locator.image(x, cell_at_start);
-    Point<dim>       xi  = clamp(end, lower, upper);
-    reinit(cell_at_start, locator.to_unit(cell_at_start, xi));
+    Point<dim>       xi  = geometry.clamped(end);
+    reinit(cell_at_start, geometry.to_unit(xi));
     for (unsigned int i = 0; i < max_iterations; ++i)
       {
-        const Point<dim> next =
-          clamp(Point<dim>(end -
-                           theta * vector_value(view.state.displacement())),
-                lower,
-                upper);
-        reinit(cell, locator.to_unit(cell, next));
-        if (is_small(Tensor<1, dim>(next - xi), locator.extent(cell)))
+        const Point<dim> next = geometry.clamped(
+          end - theta * vector_value(view.state.displacement()));
+        reinit(cell, geometry.to_unit(next));
+        if (is_small(geometry.to_unit(next - xi)))
           break;
         xi = next;
       }
@@ -165,10 +157,7 @@ namespace seiche
   Point<dim>
   GridEvaluation<dim>::position() const
   {
-    Point<dim> x = occupancy.locator.lower_corner(cell);
-    for (unsigned int d = 0; d < dim; ++d)
-      x[d] += unit[d] * occupancy.locator.extent(cell)[d];
-    return x;
+    return occupancy.locator.geometry(cell).to_real(unit);
   }
 
   template <int dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/field_patches.h>
 #include <seiche/postprocess/grid_output.h>
+#include <seiche/space/point_batch.h>
 #include <seiche/utilities/result_names.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -20,21 +21,14 @@ namespace seiche
                               Table<2, float>      &data,
                               const unsigned int    row)
     {
-      using Linear = TensorShape<dim, 1>;
-      double at_vertex[Linear::n_nodes], N[Linear::n_nodes];
-      for (unsigned int v = 0; v < Linear::n_nodes; ++v)
+      PointBatch<dim, 1, double> point;
+      double                     at_vertex[point.n_nodes];
+      for (unsigned int v = 0; v < point.n_nodes; ++v)
         at_vertex[v] = data(row, occupancy.vertex_node(v));
       for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
         {
-          Point<dim> unit;
-          for (unsigned int d = 0; d < dim; ++d)
-            unit[d] =
-              occupancy.place(a, d) / static_cast<double>(occupancy.fe.degree);
-          Linear::values(unit, N);
-          double sum = 0.;
-          for (unsigned int v = 0; v < Linear::n_nodes; ++v)
-            sum += N[v] * at_vertex[v];
-          data(row, a) = sum;
+          point.reinit_values(occupancy.unit_place(a));
+          data(row, a) = point.value(at_vertex);
         }
     }
 
@@ -98,12 +92,8 @@ namespace seiche
             set_vertices(2 * dim + 5, fill.surface().level_set());
           for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell;
                ++v)
-            {
-              patch.vertices[v] = locator.lower_corner(cell);
-              for (unsigned int d = 0; d < dim; ++d)
-                if ((v >> d) & 1u)
-                  patch.vertices[v][d] += locator.extent(cell)[d];
-            }
+            patch.vertices[v] = locator.geometry(cell).to_real(
+              GeometryInfo<dim>::unit_cell_vertex(v));
           for (unsigned int v = 0; v < n; ++v)
             {
               patch.data(2 * dim + 2, v) = fill.cell_fill(cell);

@@ -45,7 +45,7 @@ namespace seiche
       const auto    begin  = points.first_point(cell),
                  end       = points.first_point(cell + 1);
       const auto unit      = [&](const std::size_t p) {
-        return points.locator.to_unit(cell, points.position(p));
+        return points.locator.geometry(cell).to_unit(points.position(p));
       };
       LinearRatio<dim> J;
       Tensor<1, dim>   center;
@@ -141,8 +141,8 @@ namespace seiche
               if (!begun)
                 quadrature.begin_part(material);
               begun = true;
-              quadrature.push_back(points.locator.to_unit(cell,
-                                                          points.position(p)),
+              quadrature.push_back(points.locator.geometry(cell).to_unit(
+                                     points.position(p)),
                                    weight * mass[p],
                                    weight * volume[p],
                                    ratio == VolumeRatio::one ? 1. : J_p[p]);
@@ -188,7 +188,7 @@ namespace seiche
       get_full(const unsigned int cell, CellQuadrature<dim> &quadrature) const
       {
         const Material  &material = materials.of_cell(cell);
-        const double     measure  = points.locator.measure(cell);
+        const double     measure  = points.locator.geometry(cell).measure;
         const bool       is_equal = ratio == VolumeRatio::one;
         constexpr double same     = 1e-12; // equal cells, in the last digits
         if (is_equal &&
@@ -213,8 +213,8 @@ namespace seiche
             cell,
             [loose](const std::size_t p) { return loose[p]; },
             quadrature);
-        const double inside =
-          fill.surface().inside_share(cell) * points.locator.measure(cell);
+        const double inside = fill.surface().inside_share(cell) *
+                              points.locator.geometry(cell).measure;
         if (inside == 0.)
           return;
         const LinearRatio<dim> J = ratio_of(points, cell, ratio);

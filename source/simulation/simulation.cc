@@ -349,9 +349,7 @@ namespace seiche
         for (const unsigned int cell : occupancy.occupied_cells())
           {
             double speed = 0.;
-            for (std::size_t p = points.first_point(cell);
-                 p < points.first_point(cell + 1);
-                 ++p)
+            for (const std::size_t p : points.points_in(cell))
               speed = std::max(speed, std::abs(velocity[p]));
             largest = std::max(largest, speed / locator.reach(cell)[d]);
           }

@@ -69,9 +69,10 @@ namespace seiche
              ++face)
           {
             const double size = // of the smaller cell, the face belongs to it
-              std::pow(std::min(occupancy.locator.measure(face->lower),
-                                occupancy.locator.measure(face->upper)),
-                       1. / dim);
+              std::pow(
+                std::min(occupancy.locator.geometry(face->lower).measure,
+                         occupancy.locator.geometry(face->upper).measure),
+                1. / dim);
             const auto add = [&](const auto degree) {
               auto &matrix = std::get<degree - 1>(matrices);
               matrix.evaluate(*face, occupancy);
@@ -226,25 +227,23 @@ namespace seiche
   {
     // The matrices of full cells at rest are equal for equal cells: those of
     // the last one stay in the workspace.
-    const bool       at_rest = is_at_rest(state);
-    constexpr double same    = 1e-10; // equal cells differ in the last digits
-    std::array<Tensor<1, dim>, max_degree> last_extents;
+    const bool                                at_rest = is_at_rest(state);
+    std::array<CellGeometry<dim>, max_degree> last_geometries;
     const auto add_cell = [&](const unsigned int cell, const auto degree) {
-      CellData<dim, degree> &data        = std::get<degree - 1>(workspace);
-      Tensor<1, dim>        &last_extent = last_extents[degree - 1];
+      CellData<dim, degree> &data = std::get<degree - 1>(workspace);
+      CellGeometry<dim>     &last = last_geometries[degree - 1];
       const bool             condensed =
         occupancy.template unknowns<degree>(cell).matrix != nullptr;
       const bool reusable = at_rest && !condensed && fill.is_full(cell);
       matrix.prefetch_cell(cell);
-      const Tensor<1, dim> &extent = occupancy.locator.extent(cell);
-      if (!reusable || (extent - last_extent).norm() > same * extent.norm())
+      if (!reusable || !occupancy.locator.geometry(cell).is_congruent(last))
         {
           this->template gather<degree>(cell, state);
           formulation.tangent(data);
           PointInertia<dim, degree>::add_tangent(data);
           if (condensed)
             condense_tangent(cell, data);
-          last_extent = reusable ? data.extent : Tensor<1, dim>();
+          last = reusable ? data.geometry : CellGeometry<dim>();
         }
       matrix.add_cell(cell, data);
     };

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/formulation/point_kinematics.h>
 #include <seiche/solve/assembler.h>
 
 // The part of Assembler that sums up what a converged step has done.
@@ -14,35 +13,44 @@ namespace seiche
                               const GridState<dim> &state,
                               StepBalance<dim>     &balance)
   {
-    CellData<dim, degree> &data = this->template gather<degree>(cell, state);
-    PointKinematics<dim, degree> point;
-    for (unsigned int q = 0; q < data.quadrature.size; ++q)
-      {
-        point.shape(data.quadrature.point(q), data.extent);
-        const double   mass = data.quadrature.mass[q];
-        Tensor<1, dim> acceleration, // as the inertia term has it
-          u = point.value(data.displacement);
-        for (unsigned int a = 0; a < data.n_nodes; ++a)
-          for (unsigned int i = 0; i < dim; ++i)
-            acceleration[i] += (data.lumped ? point.lumped(a) : point.N[a]) *
-                               data.acceleration[i][a];
-        Tensor<1, dim> body = data.body_force_at(q);
+    CellData<dim, degree>  &data = this->template gather<degree>(cell, state);
+    PointBatch<dim, degree> point;
+    const auto at_point = [&](const auto &nodal) { // as the inertia term has it
+      Tensor<1, dim, Lanes> result;
+      for (unsigned int a = 0; a < data.n_nodes; ++a)
+        for (unsigned int i = 0; i < dim; ++i)
+          result[i] +=
+            (data.lumped ? point.weight(a) : point.N[a]) * nodal[i][a];
+      return result;
+    };
+    const auto add = [](const auto &values, Tensor<1, dim> &sums) {
+      for (unsigned int i = 0; i < dim; ++i)
+        sums[i] += sum(values[i]);
+    };
+    data.quadrature.for_each_batch(
+      [&](const unsigned int q, const unsigned int, const Material &) {
+        const auto unit = data.quadrature.template point<Lanes>(q);
+        point.reinit_values(unit);
+        point.reinit_weights(unit);
+        const Lanes           mass = load<Lanes>(&data.quadrature.mass[q]);
+        const auto            u    = point.value(data.displacement);
+        Tensor<1, dim, Lanes> acceleration = at_point(data.acceleration),
+                              body = data.template body_force_at<Lanes>(q);
         if (data.turns)
           {
-            Tensor<1, dim> velocity;
-            for (unsigned int a = 0; a < data.n_nodes; ++a)
-              for (unsigned int i = 0; i < dim; ++i)
-                velocity[i] += (data.lumped ? point.lumped(a) : point.N[a]) *
-                               data.rate_velocity[i][a];
-            const Tensor<1, dim> coriolis = data.coriolis * velocity;
-            acceleration -= coriolis;
-            body -= coriolis;
+            const Tensor<1, dim, Lanes> velocity = at_point(data.rate_velocity);
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int j = 0; j < dim; ++j)
+                {
+                  acceleration[i] -= data.coriolis[i][j] * velocity[j];
+                  body[i] -= data.coriolis[i][j] * velocity[j];
+                }
           }
-        balance.inertia += mass * acceleration;
-        balance.body += mass * body;
-        balance.body_work += mass * (body * u);
-        balance.mass_moment += mass * u;
-      }
+        add(mass * acceleration, balance.inertia);
+        add(mass * body, balance.body);
+        add(mass * u, balance.mass_moment);
+        balance.body_work += sum(mass * (body * u));
+      });
   }
 
   template <int dim>

@@ -13,38 +13,27 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
-    const auto            &locator = occupancy.locator;
     data.coefficients              = step;
     if (fill.is_cut(cell)) // there impacts gain energy by it
       data.coefficients.jerk_constraint = 0.;
-    data.extent         = locator.extent(cell);
-    data.size           = dim == 2 ? std::sqrt(locator.measure(cell)) :
-                                     std::cbrt(locator.measure(cell));
+    data.geometry       = occupancy.locator.geometry(cell);
     data.lumped         = formulation.lumps_inertia;
     data.density        = materials.density(cell);
     data.viscosity      = viscosity(cell);
     data.extent_inertia = free_surface.point_inertia * data.density *
-                          fill.extent_moment(cell) * locator.measure(cell);
+                          fill.extent_moment(cell) * data.geometry.measure;
     quadrature.get(cell, data.quadrature);
 
     const auto nodes = occupancy.template unknowns<degree>(cell);
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int i = 0; i < dim; ++i)
-        {
-          const unsigned int dof  = dim * nodes[a] + i;
-          const double       u    = state.displacement().local_element(dof);
-          data.displacement[i][a] = u;
-          data.acceleration[i][a] =
-            step.inertia * u + inertia_offset->local_element(dof);
-          data.rate_velocity[i][a] =
-            step.rate * u + rate_offset->local_element(dof);
-        }
+    nodes.read(state.displacement().begin(), data.displacement);
+    nodes.read(inertia_offset->begin(), data.acceleration);
+    nodes.read(rate_offset->begin(), data.rate_velocity);
     for (unsigned int i = 0; i < dim; ++i)
-      {
-        nodes.expand(data.displacement[i]);
-        nodes.expand(data.acceleration[i]);
-        nodes.expand(data.rate_velocity[i]);
-      }
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        {
+          data.acceleration[i][a] += step.inertia * data.displacement[i][a];
+          data.rate_velocity[i][a] += step.rate * data.displacement[i][a];
+        }
     data.turns = step.body_force && body_force.tank.any();
     if (data.turns)
       {
@@ -57,11 +46,7 @@ namespace seiche
                 data.coriolis[i][k] * data.rate_velocity[k][a];
       }
     if (state.has_pressure())
-      {
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          data.pressure[a] = state.pressure().local_element(nodes[a]);
-        nodes.expand(data.pressure);
-      }
+      nodes.read(state.pressure().begin(), data.pressure);
     data.orthogonal = projection != nullptr;
     if (data.orthogonal)
       gather_projection<degree>(cell);
@@ -83,21 +68,16 @@ namespace seiche
   {
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
-    const auto             nodes   = occupancy.template unknowns<degree>(cell);
     double                 start_velocity[dim][n_nodes];
-    Tensor<1, dim>         mean_velocity;
+    occupancy.template unknowns<degree>(cell).read(state.velocity_start.begin(),
+                                                   start_velocity);
+    Tensor<1, dim> mean_velocity;
     for (unsigned int i = 0; i < dim; ++i)
-      {
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          start_velocity[i][a] =
-            state.velocity_start.local_element(dim * nodes[a] + i);
-        nodes.expand(start_velocity[i]);
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          mean_velocity[i] += start_velocity[i][a] / n_nodes;
-      }
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        mean_velocity[i] += start_velocity[i][a] / n_nodes;
     data.start_speed = mean_velocity.norm();
     if (data.body_force_varies)
-      gather_body_force<degree>(cell, start_velocity);
+      gather_body_force<degree>(start_velocity);
   }
 
   template <int dim>
@@ -107,47 +87,37 @@ namespace seiche
   {
     CellData<dim, degree> &data  = std::get<degree - 1>(workspace);
     const auto             nodes = occupancy.template unknowns<degree>(cell);
-    for (unsigned int a = 0; a < data.n_nodes; ++a)
-      {
-        for (unsigned int i = 0; i < dim; ++i)
-          data.projected_momentum[i][a] =
-            projection->block(0).local_element(dim * nodes[a] + i);
-        data.projected_constraint[a] =
-          projection->block(1).local_element(nodes[a]);
-      }
-    for (unsigned int i = 0; i < dim; ++i)
-      nodes.expand(data.projected_momentum[i]);
-    nodes.expand(data.projected_constraint);
+    nodes.read(projection->block(0).begin(), data.projected_momentum);
+    nodes.read(projection->block(1).begin(), data.projected_constraint);
   }
 
   template <int dim>
   template <int degree>
   void
   Assembler<dim>::gather_body_force(
-    const unsigned int cell,
     const double (&start_velocity)[dim][CellData<dim, degree>::n_nodes])
   {
-    constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
-    CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
+    CellData<dim, degree> &data = std::get<degree - 1>(workspace);
     for (auto &component : data.body_force)
       component.assign(data.quadrature.size + n_lanes_of_register, 0.);
-    double N[n_nodes];
-    for (unsigned int q = 0; q < data.quadrature.size; ++q)
-      {
-        const Point<dim> unit = data.quadrature.point(q);
-        TensorShape<dim, degree>::values(unit, N);
-        Point<dim> x = occupancy.locator.lower_corner(cell);
-        for (unsigned int d = 0; d < dim; ++d)
+    PointBatch<dim, degree> batch;
+    const double            delay = step.theta * step.dt;
+    data.quadrature.for_each_batch(
+      [&](const unsigned int q, const unsigned int n, const Material &) {
+        const auto unit = data.quadrature.template point<Lanes>(q);
+        batch.reinit_values(unit);
+        const Point<dim, Lanes> place =
+          data.geometry.to_real(unit) + delay * batch.value(start_velocity);
+        for (unsigned int l = 0; l < n; ++l)
           {
-            x[d] += unit[d] * data.extent[d];
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              x[d] += step.theta * step.dt * N[a] * start_velocity[d][a];
+            Point<dim> x;
+            for (unsigned int d = 0; d < dim; ++d)
+              x[d] = place[d][l];
+            const Tensor<1, dim> force = body_force.value(x, time + delay);
+            for (unsigned int d = 0; d < dim; ++d)
+              data.body_force[d][q + l] = force[d];
           }
-        const Tensor<1, dim> force =
-          body_force.value(x, time + step.theta * step.dt);
-        for (unsigned int d = 0; d < dim; ++d)
-          data.body_force[d][q] = force[d];
-      }
+      });
   }
 
 #define INSTANTIATE(dim, degree)                                  \

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/formulation/point_kinematics.h>
 #include <seiche/formulation/viscous_stress.h>
-#include <seiche/grid/node_means.h>
 #include <seiche/solve/assembler.h>
+#include <seiche/space/node_means.h>
 
 #include <limits>
 
@@ -55,23 +54,14 @@ namespace seiche
   Assembler<dim>::start_viscosity(const unsigned int    cell,
                                   const GridState<dim> &state) const
   {
-    PointKinematics<dim, degree, Lanes> centre;
-    Point<dim, Lanes>                   unit;
-    for (unsigned int d = 0; d < dim; ++d)
-      unit[d] = 0.5;
-    centre.shape(unit, occupancy.locator.extent(cell));
-    const auto nodes = occupancy.template unknowns<degree>(cell);
-    double     velocity[dim][CellData<dim, degree>::n_nodes];
-    for (unsigned int i = 0; i < dim; ++i)
-      {
-        for (unsigned int a = 0; a < CellData<dim, degree>::n_nodes; ++a)
-          velocity[i][a] =
-            state.velocity_start.local_element(dim * nodes[a] + i);
-        nodes.expand(velocity[i]);
-      }
-    const Lanes square =
-      gamma_square(shear_rate(centre.gradient(velocity, centre.gradient_n)));
-    return materials.viscosity(cell, square[0]);
+    PointBatch<dim, degree, double> centre;
+    centre.reinit(occupancy.locator.geometry(cell),
+                  CellGeometry<dim>::unit_centre());
+    double velocity[dim][CellData<dim, degree>::n_nodes];
+    occupancy.template unknowns<degree>(cell).read(state.velocity_start.begin(),
+                                                   velocity);
+    return materials.viscosity(
+      cell, gamma_square(shear_rate(centre.gradient(velocity))));
   }
 
   template <int dim>
@@ -98,7 +88,7 @@ namespace seiche
     for (const unsigned int cell : occupancy.occupied_cells())
       {
         const double density = materials.density(cell);
-        const double size = std::pow(occupancy.locator.measure(cell), 1. / dim);
+        const double size    = occupancy.locator.geometry(cell).size();
         const double product =
           density * formulation.stabilization
                       .evaluate(tau_arguments(size,

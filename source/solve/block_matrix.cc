@@ -29,7 +29,7 @@ namespace seiche
   template <int degree>
   struct BlockMatrix<dim>::CellEntries
   {
-    static constexpr unsigned int n = TensorShape<dim, degree>::n_nodes;
+    static constexpr unsigned int n = Basis<dim, degree>::n_nodes;
 
     std::size_t          row[n];
     const std::uint16_t *table[n]; ///< row of the cell's table

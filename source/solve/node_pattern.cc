@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/component_partitioner.h>
 #include <seiche/solve/node_pattern.h>
+#include <seiche/space/component_partitioner.h>
 
 #include <algorithm>
 #include <numeric>
@@ -78,7 +78,7 @@ namespace seiche
                                const unsigned int with) {
       with_degree(with, [&](const auto degree) {
         const auto nodes = occupancy.template unknowns<degree>(cell);
-        for (unsigned int a = 0; a < TensorShape<dim, degree>::n_nodes; ++a)
+        for (unsigned int a = 0; a < Basis<dim, degree>::n_nodes; ++a)
           group_nodes.push_back(nodes[a]);
       });
     };
@@ -148,7 +148,7 @@ namespace seiche
       {
         std::uint16_t *table = &scatter[cell * n_pairs];
         with_degree(occupancy.degree(cell), [&](const auto degree) {
-          constexpr unsigned int n = TensorShape<dim, degree>::n_nodes;
+          constexpr unsigned int n = Basis<dim, degree>::n_nodes;
           const auto node          = occupancy.template unknowns<degree>(cell);
           for (unsigned int a = 0; a < n; ++a)
             for (unsigned int b = 0; b < n; ++b)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/formulation/point_kinematics.h>
 #include <seiche/solve/residual_projection.h>
 #include <seiche/utilities/exceptions.h>
 
@@ -139,22 +138,22 @@ namespace seiche
   void
   ResidualProjection<dim>::add_diagonal(const unsigned int cell)
   {
-    constexpr unsigned int       n_nodes = CellData<dim, degree>::n_nodes;
-    PointKinematics<dim, degree> point;
-    CellQuadrature<dim>          points;
+    PointBatch<dim, degree> point;
+    CellQuadrature<dim>     points;
     quadrature.get(cell, points);
-    double weights[n_nodes] = {};
-    for (unsigned int q = 0; q < points.size; ++q)
-      {
-        point.shape(points.point(q), occupancy.locator.extent(cell));
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          weights[a] += points.volume[q] *
-                        (lumped ? point.lumped(a) : point.N[a] * point.N[a]);
-      }
-    const auto nodes = occupancy.template unknowns<degree>(cell);
-    nodes.condense(weights);
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      inverse_diagonal.block(1).local_element(nodes[a]) += weights[a];
+    double weights[point.n_nodes] = {};
+    points.for_each_batch(
+      [&](const unsigned int q, const unsigned int, const Material &) {
+        const auto unit = points.template point<Lanes>(q);
+        point.reinit_values(unit);
+        point.reinit_weights(unit);
+        const Lanes volume = load<Lanes>(&points.volume[q]);
+        for (unsigned int a = 0; a < point.n_nodes; ++a)
+          weights[a] +=
+            sum(volume * (lumped ? point.weight(a) : point.N[a] * point.N[a]));
+      });
+    occupancy.template unknowns<degree>(cell).add(
+      weights, inverse_diagonal.block(1).begin());
   }
 
   template <int dim>
@@ -164,38 +163,28 @@ namespace seiche
                                         const BlockVector &src,
                                         BlockVector       &dst) const
   {
-    constexpr unsigned int       n_nodes = CellData<dim, degree>::n_nodes;
-    PointKinematics<dim, degree> point;
-    CellQuadrature<dim>          points;
+    PointBatch<dim, degree> point;
+    CellQuadrature<dim>     points;
     quadrature.get(cell, points);
     const auto nodes = occupancy.template unknowns<degree>(cell);
-    double     values[dim + 1][n_nodes], products[dim + 1][n_nodes] = {};
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      {
+    double     momentum[dim][point.n_nodes], constraint[point.n_nodes];
+    double momenta[dim][point.n_nodes] = {}, constraints[point.n_nodes] = {};
+    nodes.read(src.block(0).begin(), momentum);
+    nodes.read(src.block(1).begin(), constraint);
+    points.for_each_batch(
+      [&](const unsigned int q, const unsigned int, const Material &) {
+        point.reinit_values(points.template point<Lanes>(q));
+        const Lanes volume = load<Lanes>(&points.volume[q]);
+        const auto  add    = [&](const Lanes &value, double *products) {
+          for (unsigned int a = 0; a < point.n_nodes; ++a)
+            products[a] += sum(volume * value * point.N[a]);
+        };
         for (unsigned int c = 0; c < dim; ++c)
-          values[c][a] = src.block(0).local_element(dim * nodes[a] + c);
-        values[dim][a] = src.block(1).local_element(nodes[a]);
-      }
-    for (unsigned int c = 0; c <= dim; ++c)
-      nodes.expand(values[c]);
-    for (unsigned int q = 0; q < points.size; ++q)
-      {
-        point.shape(points.point(q), occupancy.locator.extent(cell));
-        for (unsigned int c = 0; c <= dim; ++c)
-          {
-            const double value = points.volume[q] * point.value(values[c]);
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              products[c][a] += value * point.N[a];
-          }
-      }
-    for (unsigned int c = 0; c <= dim; ++c)
-      nodes.condense(products[c]);
-    for (unsigned int a = 0; a < n_nodes; ++a)
-      {
-        for (unsigned int c = 0; c < dim; ++c)
-          dst.block(0).local_element(dim * nodes[a] + c) += products[c][a];
-        dst.block(1).local_element(nodes[a]) += products[dim][a];
-      }
+          add(point.value(momentum[c]), momenta[c]);
+        add(point.value(constraint), constraints);
+      });
+    nodes.add(momenta, dst.block(0).begin());
+    nodes.add(constraints, dst.block(1).begin());
   }
 
   template class ResidualProjection<2>;

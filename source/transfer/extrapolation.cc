@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/space/point_batch.h>
 #include <seiche/transfer/extrapolation.h>
-#include <seiche/utilities/shape_functions.h>
 
 namespace seiche
 {
@@ -13,7 +13,7 @@ namespace seiche
     {
     public:
       using Vector = typename GridState<dim>::Vector;
-      using Shape  = TensorShape<dim, 1>;
+      using Shape  = Basis<dim, 1>;
 
       Extrapolation(const PointCloud<dim> &points,
                     const Occupancy<dim>  &grid_occupancy,
@@ -116,16 +116,14 @@ namespace seiche
         if (donor == CellLocator<dim>::invalid ||
             !occupancy.is_occupied(donor) || !has_field(donor))
           return false;
-        double N[Shape::n_nodes][Shape::n_nodes], values[Shape::n_nodes];
+        PointBatch<dim, 1, double> at[Shape::n_nodes];
+        double                     values[Shape::n_nodes];
         for (unsigned int v = 0; v < Shape::n_nodes; ++v)
           if (const unsigned int node = vertex(cell, v); !is_known(node))
             {
               count.local_element(node) += 1.;
-              Shape::values(occupancy.locator.to_unit(
-                              donor,
-                              occupancy.locator.image(
-                                occupancy.node_position(node), donor)),
-                            N[v]);
+              at[v].reinit_values(occupancy.locator.geometry(donor).to_unit(
+                occupancy.locator.image(occupancy.node_position(node), donor)));
             }
         for (Field &field : fields)
           for (unsigned int c = 0; c < field.n_components; ++c)
@@ -133,9 +131,8 @@ namespace seiche
               read(field, c, donor, values);
               for (unsigned int v = 0; v < Shape::n_nodes; ++v)
                 if (const unsigned int node = vertex(cell, v); !is_known(node))
-                  for (unsigned int w = 0; w < Shape::n_nodes; ++w)
-                    field.sums.local_element(field.n_components * node + c) +=
-                      N[v][w] * values[w];
+                  field.sums.local_element(field.n_components * node + c) +=
+                    at[v].value(values);
             }
         return true;
       }

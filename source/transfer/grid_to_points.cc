@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/points/point_range.h>
+#include <seiche/space/point_batch.h>
 #include <seiche/transfer/held_points.h>
 #include <seiche/transfer/point_arrays.h>
-#include <seiche/transfer/point_block.h>
 #include <seiche/transfer/transfer.h>
 #include <seiche/transfer/volume_change.h>
 #include <seiche/transfer/wall_faces.h>
@@ -11,14 +12,17 @@
 
 namespace seiche
 {
+  using namespace dealii;
+
   namespace
   {
-    /// The velocity of the points of a block, by the method's rule.
+    /// The velocity of points, by the method's rule.
     template <int dim, int degree>
     class VelocityRule
     {
     public:
-      static constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+      using Batch       = PointBatch<dim, degree>;
+      using NodalVector = double[dim][Batch::n_nodes];
 
       VelocityRule(const TransferMethod     &transfer_method,
                    const TransferParameters &parameters,
@@ -46,62 +50,47 @@ namespace seiche
       {}
 
       void
-      gather(const Occupancy<dim> &occupancy, const unsigned int cell)
+      read(const CellUnknowns<dim, degree> &nodes)
       {
-        end_field.gather(velocity_np1, occupancy, cell);
-        if (velocity_new == velocity_np1)
-          source = end_field;
-        else
-          source.gather(velocity_new, occupancy, cell);
+        nodes.read(velocity_np1, end_velocity);
+        nodes.read(velocity_new, source);
         const bool series = method.update == VelocityUpdate::xpic;
         if (const double share = series ? 1. : keep; share > 0.)
-          subtract(velocity_n, share, occupancy, cell);
+          subtract(velocity_n, share, nodes);
         if (series)
-          subtract(velocity_series, -1., occupancy, cell);
+          subtract(velocity_series, -1., nodes);
         if (acceleration_np1 != nullptr)
-          acceleration_field.gather(acceleration_np1, occupancy, cell);
+          nodes.read(acceleration_np1, acceleration);
       }
 
       template <typename Arrays>
       void
-      update(const Block<dim, degree> &block,
-             const Arrays             &arrays,
-             const std::size_t         first,
-             const unsigned int        n_filled) const
+      update(const Batch      &batch,
+             const PointRange &range,
+             const Arrays     &arrays) const
       {
         const bool with_acceleration =
           acceleration_np1 != nullptr && arrays.acceleration[0] != nullptr;
-        double result[n_lanes];
+        Assert(with_acceleration || !by_acceleration(method),
+               dealii::ExcMessage("Points or grid lack accelerations."));
         for (unsigned int c = 0; c < dim; ++c)
           {
-            block.value(source.values[c], result);
-            for (unsigned int l = 0; l < n_filled; ++l)
-              arrays.velocity[c][first + l] =
-                keep * arrays.velocity[c][first + l] + result[l];
-          }
-        if (by_acceleration(method))
-          {
-            Assert(with_acceleration,
-                   dealii::ExcMessage("Points or grid lack accelerations."));
-            // Newmark with gamma = 1/2, as in the founding paper
-            for (unsigned int c = 0; c < dim; ++c)
+            Lanes velocity =
+              keep * range.load(arrays.velocity[c]) + batch.value(source[c]);
+            if (with_acceleration)
               {
-                block.value(acceleration_field.values[c], result);
-                for (unsigned int l = 0; l < n_filled; ++l)
-                  arrays.velocity[c][first + l] +=
-                    0.5 * dt * (arrays.acceleration[c][first + l] + result[l]);
+                const Lanes a_np1 = batch.value(acceleration[c]);
+                // Newmark with gamma = 1/2, as in the founding paper
+                if (by_acceleration(method))
+                  velocity +=
+                    0.5 * dt * (range.load(arrays.acceleration[c]) + a_np1);
+                range.store(a_np1, arrays.acceleration[c]);
               }
+            range.store(velocity, arrays.velocity[c]);
           }
-        if (with_acceleration)
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              block.value(acceleration_field.values[c], result);
-              for (unsigned int l = 0; l < n_filled; ++l)
-                arrays.acceleration[c][first + l] = result[l];
-            }
       }
 
-      CellField<dim, degree> end_field; // v_np1, for the gradient
+      NodalVector end_velocity; // v_np1, for the gradient
 
     private:
       /// True if the points integrate accelerations; of the grid's velocity
@@ -115,63 +104,28 @@ namespace seiche
 
       /// source -= share times a nodal vector.
       void
-      subtract(const double         *vector,
-               const double          share,
-               const Occupancy<dim> &occupancy,
-               const unsigned int    cell)
+      subtract(const double                    *vector,
+               const double                     share,
+               const CellUnknowns<dim, degree> &nodes)
       {
-        CellField<dim, degree> field;
-        field.gather(vector, occupancy, cell);
+        NodalVector values;
+        nodes.read(vector, values);
         for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int i = 0; i < n_nodes; ++i)
-            source.values[c][i] -= share * field.values[c][i];
+          for (unsigned int i = 0; i < Batch::n_nodes; ++i)
+            source[c][i] -= share * values[c][i];
       }
 
-      const TransferMethod  &method;
-      const double           keep;
-      const double           dt;
-      const double          *velocity_n;
-      const double          *velocity_new;
-      const double          *velocity_np1;
-      const double          *velocity_series;
-      const double          *acceleration_np1;
-      CellField<dim, degree> source;
-      CellField<dim, degree> acceleration_field;
+      const TransferMethod &method;
+      const double          keep;
+      const double          dt;
+      const double         *velocity_n;
+      const double         *velocity_new;
+      const double         *velocity_np1;
+      const double         *velocity_series;
+      const double         *acceleration_np1;
+      NodalVector           source;
+      NodalVector           acceleration;
     };
-
-
-
-    /// C = (grad_n v_np1) f_1^-1: the gradient in the end configuration, or
-    /// without f_1^-1 in that at the start.
-    template <int dim, int degree, typename Arrays>
-    void
-    update_gradient(const Block<dim, degree>     &block,
-                    const CellField<dim, degree> &velocity,
-                    const bool                    at_start,
-                    const double (&det)[n_lanes],
-                    const double (&cofactor)[dim][dim][n_lanes],
-                    const Arrays      &arrays,
-                    const std::size_t  first,
-                    const unsigned int n_filled)
-    {
-      double gradient[dim][dim][n_lanes];
-      block.field_gradient(velocity, /*add_identity=*/false, gradient);
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            double result[n_lanes];
-            for (unsigned int l = 0; l < n_lanes; ++l)
-              {
-                double sum = 0.;
-                for (unsigned int k = 0; k < dim; ++k)
-                  sum += gradient[c][k][l] * cofactor[d][k][l];
-                result[l] = at_start ? gradient[c][d][l] : sum / det[l];
-              }
-            for (unsigned int l = 0; l < n_filled; ++l)
-              arrays.gradient[c * dim + d][first + l] = result[l];
-          }
-    }
-
   } // namespace
 
 
@@ -206,99 +160,73 @@ namespace seiche
     PointCloud<dim>                       &points) const
   {
     const PointArrays<dim, PointCloud<dim>> arrays(points);
-    const CellLocator<dim>                 &locator = points.locator;
-    constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
-
-    const bool    with_pressure = state.solution.n_blocks() > 1;
-    const double *displacement  = state.displacement().begin();
-    const double *pressure = with_pressure ? state.pressure().begin() : nullptr;
-
-    VelocityRule<dim, degree> rule(method, parameters, state);
-    CellField<dim, degree>    u;
-    double                    p_nodal[n_nodes] = {}, volume_nodal[n_nodes] = {};
-    Block<dim, degree>        block;
-    WallFaces<dim, degree>    walls(occupancy);
-    std::size_t               n_held = 0;
-    for_each_block(
-      occupancy,
-      points,
-      [&](const unsigned int cell) {
+    VelocityRule<dim, degree>               rule(method, parameters, state);
+    PointBatch<dim, degree>                 batch;
+    WallFaces<dim, degree>                  walls(occupancy);
+    const bool  with_pressure = state.solution.n_blocks() > 1;
+    double      u_nodal[dim][batch.n_nodes];
+    double      p_nodal[batch.n_nodes], change_nodal[batch.n_nodes];
+    std::size_t n_held = 0;
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
         if (occupancy.degree(cell) != degree)
-          return false;
+          continue;
+        const CellGeometry<dim> &geometry = points.locator.geometry(cell);
         const auto nodes = occupancy.template unknowns<degree>(cell);
-        u.gather(displacement, occupancy, cell);
-        if (held.any_may_be())
-          walls.reinit(cell, u);
-        rule.gather(occupancy, cell);
+        nodes.read(state.displacement().begin(), u_nodal);
+        rule.read(nodes);
         if (mean_volume)
-          {
-            for (unsigned int i = 0; i < n_nodes; ++i)
-              volume_nodal[i] = volume_change.local_element(nodes[i]);
-            nodes.expand(volume_nodal);
-          }
+          nodes.read(volume_change.begin(), change_nodal);
         if (with_pressure)
-          {
-            for (unsigned int i = 0; i < n_nodes; ++i)
-              p_nodal[i] = pressure[nodes[i]];
-            nodes.expand(p_nodal);
-          }
-        return true;
-      },
-      [&](const unsigned int cell,
-          const std::size_t  first,
-          const unsigned int n_filled) {
-        block.reinit(arrays,
-                     first,
-                     n_filled,
-                     locator.lower_corner(cell),
-                     locator.extent(cell));
-        double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes];
-        double det[n_lanes], way[dim][n_lanes], result[n_lanes];
-        block.field_gradient(u, /*add_identity=*/true, F);
-        for (unsigned int c = 0; c < dim; ++c)
-          block.value(u.values[c], way[c]);
-        bool is_held[n_lanes] = {};
+          nodes.read(state.pressure().begin(), p_nodal);
         if (held.any_may_be())
-          {
-            std::array<const double *, dim> x;
-            for (unsigned int c = 0; c < dim; ++c)
-              x[c] = arrays.position[c] + first;
-            held.shorten(
-              locator.reach(cell), walls, x, n_filled, F, way, is_held);
-          }
-        determinant_and_cofactors<dim>(F, det, cofactor);
-        if (mean_volume)
-          block.value(volume_nodal, result);
-        for (unsigned int l = 0; l < n_filled; ++l)
-          arrays.volume_ratio[first + l] *=
-            mean_volume && !is_held[l] ? result[l] : det[l];
-        for (unsigned int l = 0; l < n_filled; ++l)
-          if (is_held[l])
+          walls.reinit(cell, u_nodal);
+
+        for_each_range(points, cell, [&](const PointRange &range) {
+          const Point<dim, Lanes> x = range.position(arrays.position);
+          batch.reinit(geometry, geometry.to_unit(x));
+          Tensor<1, dim, Lanes> u = batch.value(u_nodal);
+          Tensor<2, dim, Lanes> H = batch.gradient(u_nodal);
+          const HeldFlags       is_held =
+            held.any_may_be() ?
+                    held.shorten(
+                points.locator.reach(cell), walls, x, range.size, H, u) :
+                    HeldFlags();
+          const Tensor<2, dim, Lanes> F = identity_plus(H);
+
+          Lanes change = determinant(F);
+          if (mean_volume)
             {
-              ++n_held;
-              double &ratio = arrays.volume_ratio[first + l];
-              ratio         = held.bounded(ratio);
+              const Lanes mean = batch.value(change_nodal);
+              for (unsigned int l = 0; l < range.size; ++l)
+                if (!is_held[l])
+                  change[l] = mean[l];
             }
-        rule.update(block, arrays, first, n_filled);
-        if (arrays.gradient[0] != nullptr)
-          update_gradient<dim, degree>(block,
-                                       rule.end_field,
-                                       method.at_start,
-                                       det,
-                                       cofactor,
-                                       arrays,
-                                       first,
-                                       n_filled);
-        if (with_pressure)
-          {
-            block.value(p_nodal, result);
-            for (unsigned int l = 0; l < n_filled; ++l)
-              arrays.pressure[first + l] = result[l];
-          }
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int l = 0; l < n_filled; ++l)
-            arrays.position[c][first + l] += way[c][l];
-      });
+          Lanes ratio = range.load(arrays.volume_ratio) * change;
+          for (unsigned int l = 0; l < range.size; ++l)
+            if (is_held[l])
+              {
+                ++n_held;
+                ratio[l] = held.bounded(ratio[l]);
+              }
+          range.store(ratio, arrays.volume_ratio);
+
+          rule.update(batch, range, arrays);
+          if (arrays.gradient[0] != nullptr)
+            {
+              Tensor<2, dim, Lanes> C = batch.gradient(rule.end_velocity);
+              if (!method.at_start)
+                C = C * invert(F);
+              for (unsigned int c = 0; c < dim; ++c)
+                for (unsigned int d = 0; d < dim; ++d)
+                  range.store(C[c][d], arrays.gradient[c * dim + d]);
+            }
+          if (with_pressure)
+            range.store(batch.value(p_nodal), arrays.pressure);
+          for (unsigned int c = 0; c < dim; ++c)
+            range.store(x[c] + u[c], arrays.position[c]);
+        });
+      }
     return n_held;
   }
 

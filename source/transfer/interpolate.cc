@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/points/point_range.h>
+#include <seiche/space/point_batch.h>
 #include <seiche/transfer/interpolate.h>
-#include <seiche/transfer/point_block.h>
 
 namespace seiche
 {
@@ -14,28 +15,25 @@ namespace seiche
                 PointCloud<dim>                       &points,
                 const double                           keep)
     {
-      using Shape                    = TensorShape<dim, degree>;
-      constexpr unsigned int n_nodes = Shape::n_nodes;
-      double                 N[n_nodes];
-      CellField<dim, degree> nodal;
+      PointBatch<dim, degree>         batch;
+      std::array<const double *, dim> position;
+      std::array<double *, dim>       values;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          position[c] = points.data(PointColumn::position, c);
+          values[c]   = points.data(column, c);
+        }
+      double nodal[dim][batch.n_nodes];
       for (const unsigned int cell : occupancy.occupied_cells())
         {
-          nodal.gather(field.begin(), occupancy, cell);
-          for (std::size_t p = points.first_point(cell);
-               p < points.first_point(cell + 1);
-               ++p)
-            {
-              Shape::values(points.locator.to_unit(cell, points.position(p)),
-                            N);
-              for (unsigned int c = 0; c < dim; ++c)
-                {
-                  double sum = 0.;
-                  for (unsigned int a = 0; a < n_nodes; ++a)
-                    sum += N[a] * nodal.values[c][a];
-                  double &value = points.data(column, c)[p];
-                  value         = keep * value + sum;
-                }
-            }
+          occupancy.template unknowns<degree>(cell).read(field.begin(), nodal);
+          const auto &geometry = points.locator.geometry(cell);
+          for_each_range(points, cell, [&](const PointRange &range) {
+            batch.reinit_values(geometry.to_unit(range.position(position)));
+            for (unsigned int c = 0; c < dim; ++c)
+              range.store(keep * range.load(values[c]) + batch.value(nodal[c]),
+                          values[c]);
+          });
         }
     }
   } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/ghost_face_matrix.h>
+#include <seiche/space/point_batch.h>
 #include <seiche/transfer/mass_matrix.h>
 #include <seiche/utilities/exceptions.h>
 
@@ -63,22 +64,21 @@ namespace seiche
   void
   MassMatrix<dim>::collect_cells()
   {
-    using Shape                    = TensorShape<dim, degree>;
-    constexpr unsigned int n_nodes = Shape::n_nodes;
-    const double          *mass    = points.data(PointColumn::mass);
+    PointBatch<dim, degree, double> point;
+    constexpr unsigned int          n_nodes = point.n_nodes;
+    const double                   *mass    = points.data(PointColumn::mass);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
         if (is_lumped(cell))
           continue;
-        double matrix[n_nodes][n_nodes] = {}, N[n_nodes];
-        for (std::size_t p = points.first_point(cell);
-             p < points.first_point(cell + 1);
-             ++p)
+        const auto &geometry                 = points.locator.geometry(cell);
+        double      matrix[n_nodes][n_nodes] = {};
+        for (const std::size_t p : points.points_in(cell))
           {
-            Shape::values(points.locator.to_unit(cell, points.position(p)), N);
+            point.reinit_values(geometry.to_unit(points.position(p)));
             for (unsigned int a = 0; a < n_nodes; ++a)
               for (unsigned int b = 0; b < n_nodes; ++b)
-                matrix[a][b] += mass[p] * N[a] * N[b];
+                matrix[a][b] += mass[p] * point.N[a] * point.N[b];
           }
         occupancy.template unknowns<degree>(cell).condense_matrix(matrix);
         const unsigned int *nodes = occupancy.cell_nodes(cell);
@@ -134,34 +134,25 @@ namespace seiche
   void
   MassMatrix<dim>::sum_points(const PointColumn column, Vector &dst) const
   {
-    using Shape                    = TensorShape<dim, degree>;
-    constexpr unsigned int n_nodes = Shape::n_nodes;
-    const double          *mass    = points.data(PointColumn::mass);
-    double                 N[n_nodes];
+    PointBatch<dim, degree, double> point;
+    const double                   *mass = points.data(PointColumn::mass);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
         if (is_lumped(cell))
           continue;
-        double sum[dim][n_nodes] = {};
-        for (std::size_t p = points.first_point(cell);
-             p < points.first_point(cell + 1);
-             ++p)
+        const auto &geometry                = points.locator.geometry(cell);
+        double      sum[dim][point.n_nodes] = {};
+        for (const std::size_t p : points.points_in(cell))
           {
-            Shape::values(points.locator.to_unit(cell, points.position(p)), N);
+            point.reinit_values(geometry.to_unit(points.position(p)));
             for (unsigned int c = 0; c < dim; ++c)
               {
                 const double momentum = mass[p] * points.data(column, c)[p];
-                for (unsigned int a = 0; a < n_nodes; ++a)
-                  sum[c][a] += N[a] * momentum;
+                for (unsigned int a = 0; a < point.n_nodes; ++a)
+                  sum[c][a] += point.N[a] * momentum;
               }
           }
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            occupancy.condense(cell, sum[c]);
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              dst.local_element(dim * nodes[a] + c) += sum[c][a];
-          }
+        occupancy.template unknowns<degree>(cell).add(sum, dst.begin());
       }
   }
 

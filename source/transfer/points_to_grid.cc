@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/points/point_range.h>
+#include <seiche/space/point_batch.h>
 #include <seiche/transfer/extrapolation.h>
 #include <seiche/transfer/mass_matrix.h>
-#include <seiche/transfer/point_arrays.h>
+#include <seiche/transfer/point_velocity.h>
 #include <seiche/transfer/transfer.h>
-#include <seiche/utilities/shape_functions.h>
-
-#include <deal.II/base/symmetric_tensor.h>
-
-#include <algorithm>
 
 namespace seiche
 {
@@ -18,130 +15,12 @@ namespace seiche
     template <int dim, int degree>
     struct CellSums
     {
-      static constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+      static constexpr unsigned int n_nodes = Basis<dim, degree>::n_nodes;
 
       double mass[n_nodes]              = {}; // [kg]
       double pressure[n_nodes]          = {}; // [kg Pa]
       double momentum[dim][n_nodes]     = {}; // [kg m/s]
       double acceleration[dim][n_nodes] = {}; // [kg m/s^2]
-    };
-
-
-
-    /// Share of the velocity gradient that the points of a cell pass on. Few
-    /// points define no gradient (one in dim dimensions takes dim + 1): C would
-    /// feed on itself through nodes of little mass, to which it extrapolates,
-    /// and spray explode.
-    template <int dim>
-    double
-    gradient_share(const unsigned int n_points)
-    {
-      return std::min(1., (static_cast<double>(n_points) - 1.) / (dim + 1.));
-    }
-
-
-
-    /// The linear velocity v_p + C_p (x - x_p) that a point passes on.
-    template <int dim>
-    class PointVelocity
-    {
-    public:
-      PointVelocity(const PointArrays<dim, const PointCloud<dim>> &point_arrays,
-                    const GradientUse                              use,
-                    const PointCloud<dim>                         &points,
-                    const unsigned int                             cell)
-        : arrays(point_arrays)
-        , share(use == GradientUse::none ?
-                  0. :
-                  gradient_share<dim>(points.n_points_in(cell)))
-        , fitted(use == GradientUse::fitted)
-      {
-        if (fitted)
-          fit(points.first_point(cell),
-              points.first_point(cell + 1),
-              points.locator.extent(cell));
-      }
-
-      bool
-      is_affine() const
-      {
-        return share > 0.;
-      }
-
-      /// Component c at the point, and its derivative in direction d.
-      double
-      value(const std::size_t p, const unsigned int c) const
-      {
-        if (!fitted)
-          return arrays.velocity[c][p];
-        double result = mean[c];
-        for (unsigned int d = 0; d < dim; ++d)
-          result += slope[c][d] * (arrays.position[d][p] - centre[d]);
-        return result;
-      }
-
-      double
-      derivative(const std::size_t  p,
-                 const unsigned int c,
-                 const unsigned int d) const
-      {
-        return fitted ? slope[c][d] : share * arrays.gradient[c * dim + d][p];
-      }
-
-    private:
-      /// The linear field that is closest to the velocities of the cell's
-      /// points, weighted by mass (Taylor least squares: Wobbes, Moller,
-      /// Galavi, Vuik 2019, with a linear basis). Points on a line or a plane
-      /// define no derivative across it, and points near one hardly any.
-      void
-      fit(const std::size_t             begin,
-          const std::size_t             end,
-          const dealii::Tensor<1, dim> &extent)
-      {
-        double mass = 0.;
-        for (std::size_t p = begin; p < end; ++p)
-          {
-            mass += arrays.mass[p];
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                centre[d] += arrays.mass[p] * arrays.position[d][p];
-                mean[d] += arrays.mass[p] * arrays.velocity[d][p];
-              }
-          }
-        centre /= mass;
-        mean /= mass;
-        dealii::SymmetricTensor<2, dim> moments; // in cells, squared
-        dealii::Tensor<2, dim>          products;
-        for (std::size_t p = begin; p < end; ++p)
-          {
-            const double           weight = arrays.mass[p] / mass;
-            dealii::Tensor<1, dim> arm, deviation;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                arm[d]       = (arrays.position[d][p] - centre[d]) / extent[d];
-                deviation[d] = arrays.velocity[d][p] - mean[d];
-              }
-            moments += weight * symmetrize(outer_product(arm, arm));
-            products += weight * outer_product(deviation, arm);
-          }
-        for (const auto &[spread, axis] : eigenvectors(moments))
-          slope += share / std::max(spread, least_spread) *
-                   outer_product(products * axis, axis);
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            slope[c][d] /= extent[d];
-      }
-
-      /// Of points that define a derivative, mean square in cells (a uniform
-      /// cell has 1/12): the slope is at most 1/sqrt(this), some 6, times
-      /// the deviations of the velocities. Measured: doc/methods.md.
-      static constexpr double least_spread = 0.03;
-
-      const PointArrays<dim, const PointCloud<dim>> &arrays;
-      const double                                   share;
-      const bool                                     fitted;
-      dealii::Tensor<1, dim>                         centre, mean;
-      dealii::Tensor<2, dim>                         slope;
     };
 
 
@@ -157,53 +36,57 @@ namespace seiche
     CellSums<dim, degree>
     sum_cell(const PointArrays<dim, const PointCloud<dim>> &arrays,
              const PointVelocity<dim>                      &velocity,
-             const std::size_t                              begin,
-             const std::size_t                              end,
-             const dealii::Point<dim>                      &lower,
-             const dealii::Tensor<1, dim>                  &extent)
+             const PointCloud<dim>                         &points,
+             const unsigned int                             cell)
     {
-      using Shape                    = TensorShape<dim, degree>;
-      constexpr unsigned int n_nodes = Shape::n_nodes;
-      CellSums<dim, degree>  sums;
-      double                 inverse_extent[dim];
-      for (unsigned int d = 0; d < dim; ++d)
-        inverse_extent[d] = 1. / extent[d];
-      for (std::size_t p = begin; p < end; ++p)
-        {
-          dealii::Point<dim> unit;
-          for (unsigned int d = 0; d < dim; ++d)
-            unit[d] = (arrays.position[d][p] - lower[d]) * inverse_extent[d];
-          double N[n_nodes];
-          Shape::hats(unit, N);
-          for (unsigned int i = 0; i < n_nodes; ++i)
-            {
-              N[i] *= arrays.mass[p];
-              sums.mass[i] += N[i];
-              sums.pressure[i] += N[i] * arrays.pressure[p];
-            }
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              double base       = velocity.value(p, c);
-              double slope[dim] = {};
-              if (affine)
-                for (unsigned int d = 0; d < dim; ++d)
+      using Shape                       = Basis<dim, degree>;
+      constexpr unsigned int   n_nodes  = Shape::n_nodes;
+      const CellGeometry<dim> &geometry = points.locator.geometry(cell);
+      PointBatch<dim, degree>  batch;
+      CellSums<dim, degree>    sums;
+      for_each_range(points, cell, [&](const PointRange &range) {
+        const auto unit = geometry.to_unit(range.position(arrays.position));
+        batch.reinit_weights(unit);
+        const Lanes mass = range.load(arrays.mass);
+        Lanes       weights[n_nodes];
+        for (unsigned int i = 0; i < n_nodes; ++i)
+          weights[i] = batch.weight(i) * mass;
+        const PointRows<n_nodes> rows(weights);
+        for (unsigned int l = 0; l < range.size; ++l)
+          {
+            const std::size_t p       = range.first + l;
+            const double(&N)[n_nodes] = rows.values[l];
+            for (unsigned int i = 0; i < n_nodes; ++i)
+              {
+                sums.mass[i] += N[i];
+                sums.pressure[i] += N[i] * arrays.pressure[p];
+              }
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                double base       = velocity.value(p, c);
+                double slope[dim] = {};
+                if (affine)
+                  for (unsigned int d = 0; d < dim; ++d)
+                    {
+                      slope[d] =
+                        velocity.derivative(p, c, d) * geometry.edges[d];
+                      base -= slope[d] * unit[d][l];
+                      slope[d] /= degree; // from node to node
+                    }
+                for (unsigned int i = 0; i < n_nodes; ++i)
                   {
-                    slope[d] = velocity.derivative(p, c, d) * extent[d];
-                    base -= slope[d] * unit[d];
-                    slope[d] /= degree; // from node to node
+                    double value = base;
+                    if (affine)
+                      for (unsigned int d = 0; d < dim; ++d)
+                        value += Shape::line_index(i, d) * slope[d];
+                    sums.momentum[c][i] += N[i] * value;
+                    if (with_acceleration)
+                      sums.acceleration[c][i] +=
+                        N[i] * arrays.acceleration[c][p];
                   }
-              for (unsigned int i = 0; i < n_nodes; ++i)
-                {
-                  double value = base;
-                  if (affine)
-                    for (unsigned int d = 0; d < dim; ++d)
-                      value += Shape::place(i, d) * slope[d];
-                  sums.momentum[c][i] += N[i] * value;
-                  if (with_acceleration)
-                    sums.acceleration[c][i] += N[i] * arrays.acceleration[c][p];
-                }
-            }
-        }
+              }
+          }
+      });
       return sums;
     }
 
@@ -219,16 +102,17 @@ namespace seiche
                      const Occupancy<dim>                          &occupancy,
                      const unsigned int                             cell)
     {
-      constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+      constexpr unsigned int n_nodes = Basis<dim, degree>::n_nodes;
       const auto             nodes = occupancy.template unknowns<degree>(cell);
-      CellSums<dim, degree>  sums;
-      for (std::size_t p = points.first_point(cell);
-           p < points.first_point(cell + 1);
-           ++p)
+      PointBatch<dim, degree, double> point;
+      CellSums<dim, degree>           sums;
+      for (const std::size_t p : points.points_in(cell))
         {
           const dealii::Point<dim> x = points.position(p);
           double                   N[n_nodes];
-          TensorShape<dim, degree>::hats(points.locator.to_unit(cell, x), N);
+          point.reinit_weights(points.locator.geometry(cell).to_unit(x));
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            N[i] = point.weight(i);
           nodes.condense(N);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
@@ -262,9 +146,8 @@ namespace seiche
               const GradientUse      gradient,
               GridState<dim>        &state)
     {
-      constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+      constexpr unsigned int n_nodes = Basis<dim, degree>::n_nodes;
       const PointArrays<dim, const PointCloud<dim>> arrays(points);
-      const CellLocator<dim>                       &locator = points.locator;
       // entries of ghost nodes follow those of own nodes
       double *mass         = state.mass.begin();
       double *pressure     = state.pressure_guess.begin();
@@ -283,12 +166,7 @@ namespace seiche
             nodes.matrix != nullptr ?
               sum_hanging_cell<dim, degree, with_acceleration>(
                 arrays, velocity, points, occupancy, cell) :
-              sum(arrays,
-                  velocity,
-                  points.first_point(cell),
-                  points.first_point(cell + 1),
-                  locator.lower_corner(cell),
-                  locator.extent(cell));
+              sum(arrays, velocity, points, cell);
           for (unsigned int i = 0; i < n_nodes; ++i)
             {
               mass[nodes[i]] += sums.mass[i];

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/points/point_range.h>
+#include <seiche/space/point_batch.h>
 #include <seiche/transfer/held_points.h>
 #include <seiche/transfer/point_arrays.h>
-#include <seiche/transfer/point_block.h>
 #include <seiche/transfer/transfer.h>
 #include <seiche/transfer/wall_faces.h>
 
@@ -14,6 +15,8 @@
 // The trial of a step: what it would do to the points.
 namespace seiche
 {
+  using namespace dealii;
+
   namespace
   {
     /// True if no point of a cell with these displacements can move farther
@@ -21,8 +24,8 @@ namespace seiche
     /// gradients and values of FE_Q(1) lie between those of edges and nodes.
     template <int dim>
     bool
-    is_gentle(const CellField<dim, 1>      &u,
-              const dealii::Tensor<1, dim> &extent,
+    is_gentle(const double (&u)[dim][Basis<dim, 1>::n_nodes],
+              const dealii::Tensor<1, dim> &edges,
               const dealii::Tensor<1, dim> &reach,
               const double                  limit)
     {
@@ -33,14 +36,13 @@ namespace seiche
         for (unsigned int d = 0; d < dim; ++d)
           {
             double largest = 0.;
-            for (unsigned int a = 0; a < u.n_nodes; ++a)
+            for (unsigned int a = 0; a < (Basis<dim, 1>::n_nodes); ++a)
               {
-                const double difference =
-                  u.values[c][a | 1u << d] - u.values[c][a];
-                near &= std::abs(u.values[c][a]) <= limit * reach[c];
+                const double difference = u[c][a | 1u << d] - u[c][a];
+                near &= std::abs(u[c][a]) <= limit * reach[c];
                 largest = std::max(largest, std::abs(difference));
               }
-            sum += std::pow(largest / extent[d], 2);
+            sum += std::pow(largest / edges[d], 2);
           }
       return near && sum <= small * small;
     }
@@ -114,71 +116,50 @@ namespace seiche
   {
     const PointArrays<dim, const PointCloud<dim>> arrays(points);
     const CellLocator<dim>                       &locator = points.locator;
-    const double *displacement = state.displacement().begin();
-
-    CellField<dim, degree> u;
-    Block<dim, degree>     block;
-    WallFaces<dim, degree> walls(occupancy);
-    double                 min_det = result.min_det_F;
-    double                 max_u   = result.max_displacement;
-    double                 beyond  = result.beyond_wall;
-    double                 sum     = 0.; // not finite if any value is not
-    for_each_block(
-      occupancy,
-      points,
-      [&](const unsigned int cell) {
+    PointBatch<dim, degree>                       batch;
+    WallFaces<dim, degree>                        walls(occupancy);
+    double                                        u_nodal[dim][batch.n_nodes];
+    double                                        min_det = result.min_det_F;
+    double max_u  = result.max_displacement;
+    double beyond = result.beyond_wall;
+    double sum    = 0.; // not finite if any value is not
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
         if (occupancy.degree(cell) != degree)
-          return false;
-        u.gather(displacement, occupancy, cell);
-        if constexpr (degree == 1)
-          if (is_gentle(u, locator.extent(cell), locator.reach(cell), limit))
-            return false;
-        walls.reinit(cell, u);
-        return true;
-      },
-      [&](const unsigned int cell,
-          const std::size_t  first,
-          const unsigned int n_filled) {
-        block.reinit(arrays,
-                     first,
-                     n_filled,
-                     locator.lower_corner(cell),
-                     locator.extent(cell));
-        double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes];
-        double det[n_lanes], moved[n_lanes];
-        block.field_gradient(u, /*add_identity=*/true, F);
-        determinant_and_cofactors<dim>(F, det, cofactor);
-        for (unsigned int l = 0; l < n_lanes; ++l)
-          {
-            min_det = std::min(min_det, det[l]);
-            sum += det[l];
-          }
-        // half-way too: a turn by 180 degrees keeps the determinant but takes
-        // points in a corner of the domain through both walls
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int d = 0; d < dim; ++d)
-            for (unsigned int l = 0; l < n_lanes; ++l)
-              F[c][d][l] = 0.5 * (F[c][d][l] + (c == d ? 1. : 0.));
-        determinant_and_cofactors<dim>(F, det, cofactor);
-        for (unsigned int l = 0; l < n_lanes; ++l)
-          min_det = std::min(min_det, det[l]);
+          continue;
+        const CellGeometry<dim> &geometry = locator.geometry(cell);
         // beside finer cells, their size is the limit: a point must not pass
         // the layer of neighbours
         const auto &reach = locator.reach(cell);
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            block.value(u.values[c], moved);
-            for (unsigned int l = 0; l < n_lanes; ++l)
-              {
-                max_u = std::max(max_u, std::abs(moved[l]) / reach[c]);
-                sum += moved[l];
-              }
-            for (unsigned int l = 0; l < n_filled; ++l)
-              beyond = std::max(
-                beyond,
-                walls.way_beyond(c, arrays.position[c][first + l] + moved[l]));
-          }
-      });
+        occupancy.template unknowns<degree>(cell).read(
+          state.displacement().begin(), u_nodal);
+        if constexpr (degree == 1)
+          if (is_gentle(u_nodal, geometry.edges, reach, limit))
+            continue;
+        walls.reinit(cell, u_nodal);
+        for_each_range(points, cell, [&](const PointRange &range) {
+          const Point<dim, Lanes> x = range.position(arrays.position);
+          batch.reinit(geometry, geometry.to_unit(x));
+          const Tensor<1, dim, Lanes> u   = batch.value(u_nodal);
+          const Tensor<2, dim, Lanes> H   = batch.gradient(u_nodal);
+          const Lanes                 det = determinant(identity_plus(H));
+          // half-way too: a turn by 180 degrees keeps the determinant but
+          // takes points in a corner of the domain through both walls
+          const Lanes half = determinant(identity_plus<dim, Lanes>(0.5 * H));
+          for (unsigned int l = 0; l < range.size; ++l)
+            {
+              min_det = std::min({min_det, det[l], half[l]});
+              sum += det[l];
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  sum += u[c][l];
+                  max_u = std::max(max_u, std::abs(u[c][l]) / reach[c]);
+                  beyond =
+                    std::max(beyond, walls.way_beyond(c, x[c][l] + u[c][l]));
+                }
+            }
+        });
+      }
 
     result.min_det_F        = min_det;
     result.max_displacement = max_u;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/points/point_range.h>
+#include <seiche/space/point_batch.h>
 #include <seiche/transfer/point_arrays.h>
-#include <seiche/transfer/point_block.h>
 #include <seiche/transfer/volume_change.h>
 
 #include <algorithm>
@@ -11,110 +12,61 @@ namespace seiche
 
   namespace
   {
-    /// Derivatives of the shape functions in the middle of the unit cell.
-    template <int dim, int degree>
-    struct CellMiddle
-    {
-      static constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
-
-      double N[n_nodes], derivatives[n_nodes][dim];
-
-      CellMiddle()
-      {
-        Point<dim> centre;
-        for (unsigned int d = 0; d < dim; ++d)
-          centre[d] = 0.5;
-        TensorShape<dim, degree>::evaluate(centre, N, derivatives);
-      }
-
-      /// det(I + grad u)
-      double
-      determinant_of(const CellField<dim, degree> &u,
-                     const Tensor<1, dim>         &extent) const
-      {
-        Tensor<2, dim> F;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            F[d][d] += 1.;
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              for (unsigned int c = 0; c < dim; ++c)
-                F[c][d] += derivatives[a][d] / extent[d] * u.values[c][a];
-          }
-        return determinant(F);
-      }
-    };
-
-
-
     /// sum N_I V times the cell's det(I + grad u), and sum N_I V.
     template <int dim, int degree>
     void
     add_cells(const Fill<dim>                 &fill,
               const PointCloud<dim>           &points,
               const GridState<dim>            &state,
-              typename GridState<dim>::Vector &sum,
+              typename GridState<dim>::Vector &sum_of_changes,
               typename GridState<dim>::Vector &weight)
     {
-      constexpr unsigned int n_nodes = TensorShape<dim, degree>::n_nodes;
+      constexpr unsigned int n_nodes = Basis<dim, degree>::n_nodes;
       constexpr double       equal   = 1. / n_nodes; // N_I may be negative
       const PointArrays<dim, const PointCloud<dim>> arrays(points);
       const Occupancy<dim>                         &occupancy = fill.occupancy;
       const double *initial = points.data(PointColumn::initial_volume);
-      const auto   &locator = points.locator;
 
-      const CellMiddle<dim, degree> middle;
-      CellField<dim, degree>        u;
-      Block<dim, degree>            block;
-      double F[dim][dim][n_lanes], cofactor[dim][dim][n_lanes], det[n_lanes];
+      PointBatch<dim, degree>         batch;
+      PointBatch<dim, degree, double> middle;
+      double                          u[dim][n_nodes];
       for (const unsigned int cell : occupancy.occupied_cells())
         {
           if (occupancy.degree(cell) != degree)
             continue;
-          u.gather(state.displacement().begin(), occupancy, cell);
-          const bool        is_full         = fill.is_full(cell);
-          double            shares[n_nodes] = {}, volume = 0., volume_then = 0.;
-          const std::size_t end = points.first_point(cell + 1);
-          for (std::size_t first = points.first_point(cell); first < end;
-               first += n_lanes)
+          const auto &geometry = points.locator.geometry(cell);
+          const auto  nodes    = occupancy.template unknowns<degree>(cell);
+          nodes.read(state.displacement().begin(), u);
+          const bool is_full         = fill.is_full(cell);
+          double     shares[n_nodes] = {}, volume = 0., volume_then = 0.;
+          for_each_range(points, cell, [&](const PointRange &range) {
+            const auto unit = geometry.to_unit(range.position(arrays.position));
+            if (is_full)
+              batch.reinit_values(unit);
+            else
+              batch.reinit(geometry, unit);
+            const Lanes V =
+              range.load_weights(initial) * range.load(arrays.volume_ratio);
+            volume += sum(V);
+            if (!is_full)
+              volume_then +=
+                sum(V * determinant(identity_plus(batch.gradient(u))));
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              shares[a] += degree == 1 ? sum(batch.N[a] * V) : equal * sum(V);
+          });
+          double change = 1.;
+          if (is_full)
             {
-              const unsigned int n =
-                std::min<std::size_t>(n_lanes, end - first);
-              block.reinit(arrays,
-                           first,
-                           n,
-                           locator.lower_corner(cell),
-                           locator.extent(cell));
-              if (!is_full)
-                {
-                  block.field_gradient(u, /*add_identity=*/true, F);
-                  determinant_and_cofactors<dim>(F, det, cofactor);
-                }
-              for (unsigned int l = 0; l < n; ++l)
-                {
-                  const double V =
-                    arrays.volume_ratio[first + l] * initial[first + l];
-                  volume += V;
-                  if (!is_full)
-                    volume_then += V * det[l];
-                  for (unsigned int a = 0; a < n_nodes; ++a)
-                    shares[a] += (degree == 1 ? block.N[a][l] : equal) * V;
-                }
+              middle.reinit(geometry, geometry.unit_centre());
+              change = determinant(identity_plus(middle.gradient(u)));
             }
-          const double change =
-            is_full     ? middle.determinant_of(u, locator.extent(cell)) :
-            volume > 0. ? volume_then / volume :
-                          1.;
-          double sums[n_nodes];
+          else if (volume > 0.)
+            change = volume_then / volume;
+          double changes[n_nodes];
           for (unsigned int a = 0; a < n_nodes; ++a)
-            sums[a] = change * shares[a];
-          const auto nodes = occupancy.template unknowns<degree>(cell);
-          nodes.condense(sums);
-          nodes.condense(shares);
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            {
-              sum.local_element(nodes[a]) += sums[a];
-              weight.local_element(nodes[a]) += shares[a];
-            }
+            changes[a] = change * shares[a];
+          nodes.add(changes, sum_of_changes.begin());
+          nodes.add(shares, weight.begin());
         }
     }
   } // namespace

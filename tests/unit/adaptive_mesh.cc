@@ -65,16 +65,16 @@ namespace
       {
         if (!occupancy.is_active(cell))
           continue;
-        double at[TensorShape<dim, 1>::n_nodes];
-        for (unsigned int a = 0; a < TensorShape<dim, 1>::n_nodes; ++a)
+        double at[Basis<dim, 1>::n_nodes];
+        for (unsigned int a = 0; a < Basis<dim, 1>::n_nodes; ++a)
           at[a] = values.local_element(occupancy.cell_nodes(cell)[a]);
         occupancy.expand(cell, at);
-        for (unsigned int a = 0; a < TensorShape<dim, 1>::n_nodes; ++a)
+        for (unsigned int a = 0; a < Basis<dim, 1>::n_nodes; ++a)
           {
-            Point<dim> x = occupancy.locator.lower_corner(cell);
+            Point<dim> x = occupancy.locator.geometry(cell).lower;
             for (unsigned int d = 0; d < dim; ++d)
-              x[d] += TensorShape<dim, 1>::place(a, d) *
-                      occupancy.locator.extent(cell)[d];
+              x[d] += Basis<dim, 1>::line_index(a, d) *
+                      occupancy.locator.geometry(cell).edges[d];
             error = std::max(error, std::abs(at[a] - linear<dim>(x)));
           }
       }
@@ -89,11 +89,11 @@ namespace
   {
     std::pair<unsigned int, unsigned int> result(0, 0);
     for (const unsigned int cell : occupancy.occupied_cells())
-      for (unsigned int a = 0; a < TensorShape<dim, 1>::n_nodes; ++a)
+      for (unsigned int a = 0; a < Basis<dim, 1>::n_nodes; ++a)
         if (occupancy.hanging().hangs(cell, a))
           {
-            double column[TensorShape<dim, 1>::n_nodes] = {};
-            column[a]                                   = 1.;
+            double column[Basis<dim, 1>::n_nodes] = {};
+            column[a]                             = 1.;
             occupancy.expand(cell, column);
             if (std::all_of(std::begin(column),
                             std::end(column),
@@ -102,11 +102,12 @@ namespace
             ++result.second;
             const Point<dim> x =
               occupancy.node_position(occupancy.cell_nodes(cell)[a]);
-            const Point<dim> low = occupancy.locator.lower_corner(cell);
-            const dealii::Tensor<1, dim> h = occupancy.locator.extent(cell);
+            const Point<dim> low = occupancy.locator.geometry(cell).lower;
+            const dealii::Tensor<1, dim> h =
+              occupancy.locator.geometry(cell).edges;
             for (unsigned int d = 0; d < dim; ++d)
               if ((x[d] > low[d] + 0.5 * h[d]) !=
-                  (TensorShape<dim, 1>::place(a, d) == 1))
+                  (Basis<dim, 1>::line_index(a, d) == 1))
                 {
                   ++result.first;
                   break;
@@ -169,7 +170,7 @@ namespace
       }
     values.update_ghost_values();
     for (const unsigned int cell : occupancy.occupied_cells())
-      volume += fill.cell_fill(cell) * locator.measure(cell);
+      volume += fill.cell_fill(cell) * locator.geometry(cell).measure;
     print("linear function kept: ",
           error_of_linear(occupancy, values) < 1e-13 ? "yes" : "no",
           ", fill of nodes sums up to that of cells: ",

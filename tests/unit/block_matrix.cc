@@ -46,7 +46,7 @@ namespace
     matrix.set_zero();
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        const Point<dim> corner = occupancy.locator.lower_corner(cell);
+        const Point<dim> corner = occupancy.locator.geometry(cell).lower;
         const auto       entry =
           [&](auto &block, const double shift, const double diagonal) {
             for (unsigned int a = 0; a < CellData<dim, 1>::n_nodes; ++a)

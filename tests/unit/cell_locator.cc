@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Location of random points and of points on lines and walls, against a
 // search through all cells.
-#include <seiche/points/cell_locator.h>
+#include <seiche/mesh/cell_locator.h>
 
 #include <random>
 
@@ -18,9 +18,9 @@ namespace
   {
     unsigned int touched = locator.invalid;
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      if (locator.holds(cell, x))
+      if (locator.geometry(cell).holds(x))
         return cell;
-      else if (locator.box(cell).point_inside(x, /*tolerance=*/0.))
+      else if (locator.geometry(cell).box().point_inside(x, /*tolerance=*/0.))
         touched = cell;
     return touched;
   }
@@ -47,7 +47,7 @@ namespace
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = box.lower_bound(d) + share(random) * box.side_length(d);
         if (i % 2 == 0) // on a grid line
-          x[0] = locator.lower_corner(i % locator.n_cells())[0];
+          x[0] = locator.geometry(i % locator.n_cells()).lower[0];
         const unsigned int wanted = brute_force(locator, x);
         const unsigned int found  = locator.find(x);
         n_wrong += found != wanted;
@@ -58,7 +58,7 @@ namespace
             last = found;
             n_geometry += locator.index(locator.iterator(found)) != found ||
                           std::abs(locator.iterator(found)->measure() /
-                                     locator.measure(found) -
+                                     locator.geometry(found).measure -
                                    1.) > 1e-10;
           }
       }
@@ -75,11 +75,12 @@ namespace
           if (other == locator.invalid)
             ++n_walls;
           else
-            n_bad += locator.neighbor(other, face ^ 1u) != cell ||
-                     (face % 2 == 0 ? locator.lower_corner(cell)[face / 2] !=
-                                        locator.upper_corner(other)[face / 2] :
-                                      locator.upper_corner(cell)[face / 2] !=
-                                        locator.lower_corner(other)[face / 2]);
+            n_bad +=
+              locator.neighbor(other, face ^ 1u) != cell ||
+              (face % 2 == 0 ? locator.geometry(cell).lower[face / 2] !=
+                                 locator.geometry(other).upper[face / 2] :
+                               locator.geometry(cell).upper[face / 2] !=
+                                 locator.geometry(other).lower[face / 2]);
         }
     std::cout << "  wall faces " << n_walls << " bad neighbours " << n_bad
               << std::endl;
@@ -131,7 +132,7 @@ main(int argc, char **argv)
         std::cout << x << ": outside, wall "
                   << grid.wall_name(locator.wall_beyond(x)) << std::endl;
       else
-        std::cout << x << ": centre " << locator.box(cell).center()
+        std::cout << x << ": centre " << locator.geometry(cell).box().center()
                   << std::endl;
     }
 }

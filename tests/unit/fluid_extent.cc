@@ -53,7 +53,7 @@ namespace
     for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
       for (unsigned int k = 0; k < (1u << dim); ++k)
         {
-          Point<dim> x = points.locator.lower_corner(cell);
+          Point<dim> x = points.locator.geometry(cell).lower;
           for (unsigned int d = 0; d < dim; ++d)
             x[d] += ((k >> d & 1u) + 0.5) * spacing;
           if (x[dim - 1] < height || x.distance(drop<dim>()) < 1e-10)

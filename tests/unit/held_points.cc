@@ -21,7 +21,7 @@ namespace
     }
   };
 
-  /// Three points at @p x [m] that are to move by @p u [m].
+  /// All lanes but the last are points at @p x [m] that are to move by @p u [m].
   template <int dim>
   void
   test(const std::string            &name,
@@ -30,34 +30,31 @@ namespace
        const dealii::Point<dim>     &x,
        const dealii::Tensor<1, dim> &u)
   {
-    const unsigned int              n_filled = 3;
-    double                          places[dim][n_lanes];
-    double                          F[dim][dim][n_lanes], way[dim][n_lanes];
-    bool                            is_held[n_lanes] = {};
-    std::array<const double *, dim> place;
-    dealii::Tensor<1, dim>          reach;
+    constexpr unsigned int        last = n_lanes_of_register - 1;
+    dealii::Point<dim, Lanes>     places;
+    dealii::Tensor<2, dim, Lanes> H_lanes;
+    dealii::Tensor<1, dim, Lanes> u_lanes;
+    dealii::Tensor<1, dim>        reach;
     for (unsigned int c = 0; c < dim; ++c)
       {
-        place[c] = places[c];
-        reach[c] = 0.5;
-        for (unsigned int l = 0; l < n_lanes; ++l)
-          {
-            places[c][l] = x[c];
-            way[c][l]    = u[c];
-            for (unsigned int d = 0; d < dim; ++d)
-              F[c][d][l] = H[c][d] + (c == d ? 1. : 0.);
-          }
+        reach[c]   = 0.5;
+        places[c]  = x[c];
+        u_lanes[c] = u[c];
+        for (unsigned int d = 0; d < dim; ++d)
+          H_lanes[c][d] = H[c][d];
       }
-    held.shorten(reach, WallOnTheLeft(), place, n_filled, F, way, is_held);
+    const HeldFlags is_held =
+      held.shorten(reach, WallOnTheLeft(), places, last, H_lanes, u_lanes);
     dealii::Tensor<2, dim> after;
     dealii::Tensor<1, dim> moved;
     bool                   lanes_agree = true;
     for (unsigned int c = 0; c < dim; ++c)
       {
-        moved[c] = way[c][n_filled - 1];
-        lanes_agree &= way[c][0] == moved[c] && way[c][n_filled] == u[c];
+        moved[c] = u_lanes[c][0];
+        lanes_agree &=
+          u_lanes[c][last - 1] == moved[c] && u_lanes[c][last] == u[c];
         for (unsigned int d = 0; d < dim; ++d)
-          after[c][d] = F[c][d][n_filled - 1];
+          after[c][d] = H_lanes[c][d][0] + (c == d ? 1. : 0.);
       }
     std::cout << dim << "D " << name << ": " << (is_held[0] ? "held" : "free")
               << ", det F " << dealii::determinant(after) << ", to "

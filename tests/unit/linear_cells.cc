@@ -48,13 +48,13 @@ namespace
         const unsigned int    cell,
         const Point<dim>     &x)
   {
-    constexpr unsigned int n     = TensorShape<dim, degree>::n_nodes;
+    constexpr unsigned int n     = Basis<dim, degree>::n_nodes;
     const auto             nodes = occupancy.template unknowns<degree>(cell);
     double                 at[n], N[n], sum = 0.;
     for (unsigned int a = 0; a < n; ++a)
       at[a] = field.local_element(nodes[a]);
     nodes.expand(at);
-    TensorShape<dim, degree>::values(occupancy.locator.to_unit(cell, x), N);
+    Basis<dim, degree>::values(occupancy.locator.geometry(cell).to_unit(x), N);
     for (unsigned int a = 0; a < n; ++a)
       sum += N[a] * at[a];
     return sum;
@@ -71,12 +71,13 @@ namespace
     for (const double s : {0.2, 0.55, 0.9})
       for (const double t : {0.15, 0.6})
         {
-          Point<dim> x = locator.lower_corner(cell);
+          Point<dim> x = locator.geometry(cell).lower;
           for (unsigned int d = 0; d < dim; ++d)
-            x[d] += locator.extent(cell)[d] * (d == face / 2 ? face % 2 :
-                                               d == 0        ? s :
-                                               d == 1        ? t :
-                                                               s * t);
+            x[d] +=
+              locator.geometry(cell).edges[d] * (d == face / 2 ? face % 2 :
+                                                 d == 0        ? s :
+                                                 d == 1        ? t :
+                                                                 s * t);
           f(x);
         }
   }
@@ -163,8 +164,8 @@ namespace
           const double one = value<dim, 1>(occupancy, rough, cell, x);
           difference       = std::max(difference, std::abs(one - two));
           bend             = std::max(bend, std::abs(one - wild<dim>(x)));
-          double N[TensorShape<dim, 1>::n_nodes];
-          TensorShape<dim, 1>::values(locator.to_unit(cell, x), N);
+          double N[Basis<dim, 1>::n_nodes];
+          Basis<dim, 1>::values(locator.geometry(cell).to_unit(x), N);
           occupancy.template unknowns<1>(cell).condense(N);
           least =
             std::min(least, *std::min_element(std::begin(N), std::end(N)));

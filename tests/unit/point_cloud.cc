@@ -37,9 +37,7 @@ namespace
     for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
       {
         n_indexed += points.n_points_in(cell);
-        for (std::size_t p = points.first_point(cell);
-             p < points.first_point(cell + 1);
-             ++p)
+        for (const std::size_t p : points.points_in(cell))
           {
             n_misplaced += points.cells()[p] != cell ||
                            points.locator.find(points.position(p)) != cell;

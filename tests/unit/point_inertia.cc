@@ -58,14 +58,13 @@ namespace
             const double height = d == 1 ? share : 1.;
             const double exact  = share * height * height / 12.;
             double       moment = fill.extent_moment(cell);
-            for (std::size_t p = points.first_point(cell);
-                 p < points.first_point(cell + 1);
-                 ++p)
-              moment += points.data(seiche::PointColumn::initial_volume)[p] /
-                        locator.measure(cell) *
-                        std::pow(locator.to_unit(cell, points.position(p))[d] -
-                                   0.5 * height,
-                                 2);
+            for (const std::size_t p : points.points_in(cell))
+              moment +=
+                points.data(seiche::PointColumn::initial_volume)[p] /
+                locator.geometry(cell).measure *
+                std::pow(locator.geometry(cell).to_unit(points.position(p))[d] -
+                           0.5 * height,
+                         2);
             error = std::max(error, std::abs(moment - exact) * 12.);
           }
         if (share < 1.)
@@ -86,7 +85,7 @@ namespace
           for (unsigned int d = 0; d < dim; ++d)
             cell.acceleration[i][a] +=
               gradient * (1. + i + 2. * d) *
-              seiche::TensorShape<dim, degree>::place(a, d) / degree;
+              seiche::Basis<dim, degree>::line_index(a, d) / degree;
         }
   }
 

@@ -147,15 +147,16 @@ namespace
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       for (unsigned int k = 0; k < (1u << dim); ++k)
         {
-          Point<dim> x = locator.lower_corner(cell);
+          Point<dim> x = locator.geometry(cell).lower;
           for (unsigned int d = 0; d < dim; ++d)
-            x[d] += ((k >> d & 1u) ? 0.75 : 0.25) * locator.extent(cell)[d];
+            x[d] +=
+              ((k >> d & 1u) ? 0.75 : 0.25) * locator.geometry(cell).edges[d];
           if (x[dim - 1] < 0.5)
             points.insert((locator.lattice_index(cell) << 26) + k,
                           x,
                           exact_velocity(x),
                           0.5,
-                          locator.measure(cell) / (1u << dim));
+                          locator.geometry(cell).measure / (1u << dim));
         }
     points.locate();
   }

@@ -3,7 +3,7 @@
 // found, nodes on it are one, fields of any nodal values are continuous across
 // it, also at level jumps. Same output on any number of ranks.
 #include <seiche/grid/mesh_adaptation.h>
-#include <seiche/grid/occupancy.h>
+#include <seiche/space/occupancy.h>
 
 #include <set>
 
@@ -59,10 +59,10 @@ namespace
         const unsigned int                     cell,
         const Point<dim>                      &x)
   {
-    using Shape = TensorShape<dim, degree>;
+    using Shape = Basis<dim, degree>;
     double      N[Shape::n_nodes], at[Shape::n_nodes], sum = 0.;
     const auto &locator = occupancy.locator;
-    Shape::values(locator.to_unit(cell, locator.image(x, cell)), N);
+    Shape::values(locator.geometry(cell).to_unit(locator.image(x, cell)), N);
     for (unsigned int a = 0; a < Shape::n_nodes; ++a)
       at[a] = field.local_element(occupancy.cell_nodes(cell)[a]);
     occupancy.expand(cell, at);
@@ -96,13 +96,14 @@ namespace
             ++n_seam[locator.level(other) != locator.level(cell)];
           for (unsigned int q = 0; q < (dim == 2 ? 3 : 9); ++q)
             {
-              Point<dim> x = locator.lower_corner(cell);
+              Point<dim> x = locator.geometry(cell).lower;
               for (unsigned int d = 0, rest = q; d < dim; ++d)
                 if (d == face / 2)
-                  x[d] += (face % 2) * locator.extent(cell)[d];
+                  x[d] += (face % 2) * locator.geometry(cell).edges[d];
                 else
                   {
-                    x[d] += (0.1 + 0.4 * (rest % 3)) * locator.extent(cell)[d];
+                    x[d] += (0.1 + 0.4 * (rest % 3)) *
+                            locator.geometry(cell).edges[d];
                     rest /= 3;
                   }
               jump =
@@ -167,16 +168,16 @@ namespace
         for (unsigned int face = 0; face < 2 * (dim - 1); ++face)
           {
             // from the middle of the cell to a little beyond the face
-            Point<dim> x = locator.box(cell).center();
-            x[face / 2] +=
-              (face % 2 == 0 ? -0.51 : 0.51) * locator.extent(cell)[face / 2];
+            Point<dim> x = locator.geometry(cell).box().center();
+            x[face / 2] += (face % 2 == 0 ? -0.51 : 0.51) *
+                           locator.geometry(cell).edges[face / 2];
             const unsigned int found = locator.find(x, cell);
             const auto         near  = locator.vertex_neighbors(cell);
             wrong +=
               locator.at_boundary(cell, face) ||
               std::find(near.begin(), near.end(), found) == near.end() ||
               found != locator.find(x) ||
-              !locator.holds(found, locator.wrapped(x)) ||
+              !locator.geometry(found).holds(locator.wrapped(x)) ||
               locator.image(locator.wrapped(x), cell).distance(x) > 1e-12;
             const unsigned int other = locator.neighbor(cell, face);
             wrong += other != locator.invalid && other != found;
@@ -219,7 +220,8 @@ namespace
             test_continuity<dim, 2>(occupancy);
             std::vector<char> linear(locator.n_owned());
             for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-              linear[cell] = locator.box(cell).center()[dim - 1] > 0.9;
+              linear[cell] =
+                locator.geometry(cell).box().center()[dim - 1] > 0.9;
             occupancy.set_linear(linear);
             print("some cells linear:");
             test_continuity<dim, 2>(occupancy);

@@ -64,8 +64,8 @@ namespace
             if (const unsigned int w = v | (1u << d);
                 w != v && (level(v) < 0.) != (level(w) < 0.))
               {
-                const double h = locator.extent(cell)[d];
-                Point<dim>   x = locator.lower_corner(cell);
+                const double h = locator.geometry(cell).edges[d];
+                Point<dim>   x = locator.geometry(cell).lower;
                 for (unsigned int e = 0; e < dim; ++e)
                   x[e] += ((v >> e) & 1u) * h;
                 x[d] += level(v) / (level(v) - level(w)) * h;

@@ -75,7 +75,7 @@ namespace
     double n_without_points = 0.;
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        const Point<dim> corner = locator.lower_corner(cell);
+        const Point<dim> corner = locator.geometry(cell).lower;
         if (corner[dim - 1] < height - 2.5 * h)
           continue;
         of_rank[{corner[0], dim == 3 ? corner[1] : 0.}] +=
@@ -143,7 +143,7 @@ namespace
     fill.update(points);
     double n_loose = 0., n_empty_cells = 0.;
     for (const unsigned int cell : occupancy.occupied_cells())
-      if (locator.lower_corner(cell)[dim - 1] > 0.75)
+      if (locator.geometry(cell).lower[dim - 1] > 0.75)
         {
           const double *loose = fill.loose_shares(points, cell);
           n_loose += loose != nullptr && loose[0] == 1.;

@@ -55,15 +55,16 @@ namespace
     cell.coefficients.jerk_constraint = dt * dt * dt / 12.;
     cell.coefficients.elastic_time    = elastic_middle ? theta : 1.;
     cell.lumped                       = lumped;
-    cell.size                         = 0.4;
     cell.start_speed                  = 1.3;
     cell.density                      = material.density;
     cell.viscosity                    = material.law->viscosity(1.);
+    dealii::Point<dim> upper;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        cell.extent[d]              = 0.4 + 0.1 * d;
+        upper[d]                    = 0.4 + 0.1 * d;
         cell.constant_body_force[d] = -9.81 + d;
       }
+    cell.geometry = {dealii::Point<dim>(), upper};
     cell.quadrature.clear();
     cell.quadrature.begin_part(material);
     for (unsigned int q = 0; q < 9; ++q)
@@ -310,7 +311,8 @@ namespace
               /*lumped=*/false);
     const StepCoefficients &c = cell.coefficients;
     const double limit = negligible_viscosity * inviscid.density * c.inertia /
-                         c.rate * std::pow(cell.shortest_edge() / degree, 2);
+                         c.rate *
+                         std::pow(cell.geometry.shortest_edge() / degree, 2);
     for (const double share : {0.99, 1.01})
       {
         const auto formulation =
@@ -385,7 +387,7 @@ namespace
     const auto   formulation = make_formulation<dim>(parameters, VolumeLaw());
     const double limit =
       formulation->negligible_force(cell, formulation->tau(cell)) *
-      cell.shortest_edge();
+      cell.geometry.shortest_edge();
     for (const double share : {0.05, 50.})
       {
         const double error =

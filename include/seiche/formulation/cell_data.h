@@ -4,7 +4,7 @@
 
 #include <seiche/grid/time_scheme.h>
 #include <seiche/quadrature/quadrature.h>
-#include <seiche/utilities/shape_functions.h>
+#include <seiche/space/point_batch.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -22,18 +22,17 @@ namespace seiche
   template <int dim, int degree>
   struct CellData
   {
-    using Shape                           = TensorShape<dim, degree>;
+    using Shape                           = Basis<dim, degree>;
     static constexpr unsigned int n_nodes = Shape::n_nodes;
     using NodalScalar                     = double[n_nodes];
     using NodalVector                     = double[dim][n_nodes];
 
     // --- input
-    StepCoefficients       coefficients;
-    dealii::Tensor<1, dim> extent;              ///< edge lengths [m]
-    double                 size        = 0.;    ///< |K|^(1/dim) [m]
-    bool                   lumped      = false; ///< inertia at the nodes
-    double                 start_speed = 0.;    ///< |v_0| at the centre [m/s]
-    double density        = 0.; ///< mean of the cell's materials [kg/m^3]
+    StepCoefficients  coefficients;
+    CellGeometry<dim> geometry;
+    bool              lumped      = false; ///< inertia at the nodes
+    double            start_speed = 0.;    ///< |v_0| at the centre [m/s]
+    double            density = 0.; ///< mean of the cell's materials [kg/m^3]
     double viscosity      = 0.; ///< their mean at the start of the step [Pa s]
     double extent_inertia = 0.; ///< of the points' own extent [kg], see
                                 ///< formulation/point_inertia.h
@@ -68,13 +67,6 @@ namespace seiche
     alignas(64) double up[dim][n_nodes][n_nodes]; ///< row component first
     alignas(64) double pu[dim][n_nodes][n_nodes]; ///< column component first
     alignas(64) double pp[n_nodes][n_nodes];
-
-    /// [m]
-    double
-    shortest_edge() const
-    {
-      return *std::min_element(extent.begin_raw(), extent.end_raw());
-    }
 
     /// Derivative of the acceleration with respect to u, beside that of the
     /// scheme, over C_a: d(acceleration) = C_a (I + this) du [-].

@@ -113,7 +113,7 @@ namespace seiche
     tangent_is_viscous(const CellData<dim, degree> &cell)
     {
       const StepCoefficients &step = cell.coefficients;
-      const double            h    = cell.shortest_edge() / degree;
+      const double            h    = cell.geometry.shortest_edge() / degree;
       return cell.viscosity > 0. &&
              cell.viscosity * step.rate >=
                negligible_viscosity * cell.density * step.inertia * h * h;
@@ -126,7 +126,7 @@ namespace seiche
     double
     negligible_force(const CellData<dim, degree> &cell, const Tau &tau) const
     {
-      return negligible_turn * cell.shortest_edge() /
+      return negligible_turn * cell.geometry.shortest_edge() /
              (degree * cell.coefficients.theta * tau.momentum);
     }
 
@@ -139,7 +139,7 @@ namespace seiche
                                      cell.density,
                                      volume_law.bulk_modulus,
                                      cell.viscosity,
-                                     cell.size,
+                                     cell.geometry.size(),
                                      degree,
                                      cell.start_speed,
                                      cell.largest_body_force()});

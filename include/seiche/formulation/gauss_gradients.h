@@ -2,24 +2,23 @@
 #ifndef seiche_formulation_gauss_gradients_h
 #define seiche_formulation_gauss_gradients_h
 
-#include <seiche/formulation/point_kinematics.h>
+#include <seiche/space/point_batch.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
 namespace seiche
 {
-  /// f(grad_n N, weight) at degree + 1 Gauss points per direction of a box with
-  /// edges @p extent [m]; weights sum to 1.
+  /// f(grad_n N, weight) at degree + 1 Gauss points per direction of a cell;
+  /// weights sum to 1.
   template <int dim, int degree, typename Function>
   void
-  for_each_gauss_gradient(const dealii::Tensor<1, dim> &extent,
-                          const Function               &f)
+  for_each_gauss_gradient(const CellGeometry<dim> &geometry, const Function &f)
   {
     static const dealii::QGauss<dim> gauss(degree + 1);
-    PointKinematics<dim, degree>     point;
+    PointBatch<dim, degree, double>  point;
     for (unsigned int q = 0; q < gauss.size(); ++q)
       {
-        point.shape(gauss.point(q), extent);
+        point.reinit(geometry, gauss.point(q));
         f(point.gradient_n, gauss.weight(q));
       }
   }

@@ -16,7 +16,7 @@ namespace seiche
   struct MomentumTerms
   {
     static constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
-    using Kinematics                      = PointKinematics<dim, degree, Lanes>;
+    using Kinematics                      = PointKinematics<dim, degree>;
     using Vector                          = dealii::Tensor<1, dim, Lanes>;
     using Matrix                          = dealii::Tensor<2, dim, Lanes>;
 
@@ -37,7 +37,7 @@ namespace seiche
           {
             Lanes force =
               cell.lumped ?
-                mass * point.lumped(a) *
+                mass * point.weight(a) *
                   (cell.acceleration[i][a] - body_force[i]) :
                 mass * point.N[a] * (acceleration[i] - body_force[i]);
             for (unsigned int j = 0; j < dim; ++j)
@@ -323,7 +323,7 @@ namespace seiche
       if (cell.lumped)
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            const double weight = sum(mass * point.lumped(a));
+            const double weight = sum(mass * point.weight(a));
             for (unsigned int i = 0; i < dim; ++i)
               cell.uu[i][i][a][a] += weight;
             for_each_coriolis_term(cell,

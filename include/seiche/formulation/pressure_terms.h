@@ -15,7 +15,7 @@ namespace seiche
   struct PressureTerms
   {
     static constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
-    using Kinematics                      = PointKinematics<dim, degree, Lanes>;
+    using Kinematics                      = PointKinematics<dim, degree>;
 
     /// Terms between displacement and pressure that are products of two
     /// vectors: up += force grad w q, pu += weight q h + grad q inertia;

@@ -8,14 +8,14 @@
 
 namespace seiche
 {
-  /// e = 2 dev(sym(l)) at several points, l the velocity gradient; dev with 1/3
-  /// in 2D too (plane strain).
-  template <int dim>
-  dealii::Tensor<2, dim, Lanes>
-  shear_rate(const dealii::Tensor<2, dim, Lanes> &velocity_gradient)
+  /// e = 2 dev(sym(l)) at one or several points, l the velocity gradient; dev
+  /// with 1/3 in 2D too (plane strain).
+  template <int dim, typename Number>
+  dealii::Tensor<2, dim, Number>
+  shear_rate(const dealii::Tensor<2, dim, Number> &velocity_gradient)
   {
-    const Lanes mean = dealii::trace(velocity_gradient) * (2. / 3.);
-    dealii::Tensor<2, dim, Lanes> e;
+    const Number mean = dealii::trace(velocity_gradient) * (2. / 3.);
+    dealii::Tensor<2, dim, Number> e;
     for (unsigned int i = 0; i < dim; ++i)
       {
         for (unsigned int j = 0; j < dim; ++j)
@@ -26,12 +26,12 @@ namespace seiche
   }
 
   /// gamma^2 = e:e/2 [1/s^2], with the e_zz of plane strain in 2D.
-  template <int dim>
-  Lanes
-  gamma_square(const dealii::Tensor<2, dim, Lanes> &e)
+  template <int dim, typename Number>
+  Number
+  gamma_square(const dealii::Tensor<2, dim, Number> &e)
   {
-    const Lanes trace  = dealii::trace(e);
-    Lanes       square = dim == 2 ? trace * trace : Lanes(0.);
+    const Number trace  = dealii::trace(e);
+    Number       square = dim == 2 ? trace * trace : Number(0.);
     for (unsigned int i = 0; i < dim; ++i)
       square += e[i] * e[i];
     return 0.5 * square;

@@ -32,13 +32,13 @@ namespace seiche
     dealii::Tensor<3, dim, Lanes>
       curvature; // v_i,jk, for FE_Q(2) with viscosity
 
-    VMSPointState(const CellData<dim, degree>         &cell,
-                  PointKinematics<dim, degree, Lanes> &point,
-                  const unsigned int                   q,
-                  const Material                      &material,
-                  const VolumeLaw                     &volume_law,
-                  const Tau                           &tau,
-                  const ResidualParts                 &residual_parts)
+    VMSPointState(const CellData<dim, degree>  &cell,
+                  PointKinematics<dim, degree> &point,
+                  const unsigned int            q,
+                  const Material               &material,
+                  const VolumeLaw              &volume_law,
+                  const Tau                    &tau,
+                  const ResidualParts          &residual_parts)
       : parts(residual_parts)
     {
       const auto &quadrature = cell.quadrature;
@@ -124,8 +124,8 @@ namespace seiche
     /// tr(M grad_t du), M = (3 grad a - 6 l^2)(c_r I - theta l)
     /// + 3 l (C_a I - theta grad a) up to cyclic order.
     void
-    constraint_slope(const CellData<dim, degree>               &cell,
-                     const PointKinematics<dim, degree, Lanes> &point,
+    constraint_slope(const CellData<dim, degree>        &cell,
+                     const PointKinematics<dim, degree> &point,
                      Lanes (&slope)[dim][CellData<dim, degree>::n_nodes]) const
     {
       constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
@@ -154,9 +154,9 @@ namespace seiche
 
     /// div s_i = mu (v_i,jj + v_j,ij/3), mu that of the cell as in tau
     void
-    add_second_derivatives(const CellData<dim, degree>         &cell,
-                           PointKinematics<dim, degree, Lanes> &point,
-                           const unsigned int                   q)
+    add_second_derivatives(const CellData<dim, degree>  &cell,
+                           PointKinematics<dim, degree> &point,
+                           const unsigned int            q)
     {
       point.evaluate_second_derivatives(cell, q);
       for (unsigned int j = 0; j < dim; ++j)
@@ -178,9 +178,9 @@ namespace seiche
     /// derivative[i][k][b].
     void
     stress_divergence_derivative(
-      const CellData<dim, degree>               &cell,
-      const PointKinematics<dim, degree, Lanes> &point,
-      const Lanes                                factor,
+      const CellData<dim, degree>        &cell,
+      const PointKinematics<dim, degree> &point,
+      const Lanes                         factor,
       Lanes (&derivative)[dim][dim][CellData<dim, degree>::n_nodes]) const
     {
       const double theta = cell.coefficients.theta;

@@ -2,8 +2,8 @@
 #ifndef seiche_grid_cell_materials_h
 #define seiche_grid_cell_materials_h
 
-#include <seiche/grid/occupancy.h>
 #include <seiche/materials/material.h>
+#include <seiche/space/occupancy.h>
 
 #include <vector>
 

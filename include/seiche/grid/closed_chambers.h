@@ -2,8 +2,8 @@
 #ifndef seiche_grid_closed_chambers_h
 #define seiche_grid_closed_chambers_h
 
-#include <seiche/grid/occupancy.h>
 #include <seiche/scene/chambers.h>
+#include <seiche/space/occupancy.h>
 
 #include <functional>
 #include <vector>

@@ -17,7 +17,7 @@ namespace seiche
   template <int dim, int degree>
   struct GhostFaceMatrix
   {
-    using Shape                             = TensorShape<dim, degree>;
+    using Shape                             = Basis<dim, degree>;
     static constexpr unsigned int max_nodes = 2 * Shape::n_nodes;
 
     /// Nodes of the two cells. For FE_Q(1) without hanging nodes these are 3

@@ -2,7 +2,7 @@
 #ifndef seiche_grid_grid_state_h
 #define seiche_grid_grid_state_h
 
-#include <seiche/grid/occupancy.h>
+#include <seiche/space/occupancy.h>
 
 #include <deal.II/lac/la_parallel_block_vector.h>
 

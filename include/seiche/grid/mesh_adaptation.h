@@ -2,7 +2,7 @@
 #ifndef seiche_grid_mesh_adaptation_h
 #define seiche_grid_mesh_adaptation_h
 
-#include <seiche/points/cell_locator.h>
+#include <seiche/mesh/cell_locator.h>
 #include <seiche/points/point_cloud.h>
 #include <seiche/scene/background_grid.h>
 

@@ -2,7 +2,7 @@
 #ifndef seiche_grid_point_boxes_h
 #define seiche_grid_point_boxes_h
 
-#include <seiche/grid/occupancy.h>
+#include <seiche/space/occupancy.h>
 
 #include <array>
 

@@ -3,7 +3,7 @@
 #define seiche_grid_row_mass_h
 
 #include <seiche/grid/grid_state.h>
-#include <seiche/grid/occupancy.h>
+#include <seiche/space/occupancy.h>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #define seiche_grid_surface_h
 
 #include <seiche/grid/cut_cell.h>
-#include <seiche/grid/occupancy.h>
+#include <seiche/space/occupancy.h>
 
 #include <vector>
 

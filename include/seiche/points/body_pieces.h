@@ -2,7 +2,7 @@
 #ifndef seiche_points_body_pieces_h
 #define seiche_points_body_pieces_h
 
-#include <seiche/points/cell_locator.h>
+#include <seiche/mesh/cell_locator.h>
 #include <seiche/scene/box_part.h>
 #include <seiche/scene/region.h>
 

@@ -2,11 +2,12 @@
 #ifndef seiche_points_point_cloud_h
 #define seiche_points_point_cloud_h
 
-#include <seiche/points/cell_locator.h>
+#include <seiche/mesh/cell_locator.h>
 #include <seiche/points/point_columns.h>
 
 #include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/std_cxx20/iota_view.h>
 
 #include <array>
 #include <cstdint>
@@ -89,6 +90,13 @@ namespace seiche
     n_points_in(const unsigned int cell) const
     {
       return cell_begin[cell + 1] - cell_begin[cell];
+    }
+
+    /// Their numbers, for loops.
+    dealii::std_cxx20::ranges::iota_view<std::size_t, std::size_t>
+    points_in(const unsigned int cell) const
+    {
+      return {cell_begin[cell], cell_begin[cell + 1]};
     }
 
     /// Add a point; call locate() after the last one. Columns not given are

@@ -4,11 +4,11 @@
 
 #include <seiche/grid/fill.h>
 #include <seiche/grid/grid_state.h>
-#include <seiche/grid/occupancy.h>
 #include <seiche/points/point_cloud.h>
 #include <seiche/postprocess/statistics_table.h>
 #include <seiche/scene/tank_motion.h>
 #include <seiche/solve/step_balance.h>
+#include <seiche/space/occupancy.h>
 
 #include <deal.II/base/bounding_box.h>
 

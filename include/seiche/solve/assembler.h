@@ -201,7 +201,6 @@ namespace seiche
     template <int degree>
     void
     gather_body_force(
-      const unsigned int cell,
       const double (&start_velocity)[dim][CellData<dim, degree>::n_nodes]);
 
     /// True if the tangent of a cell full of Gauss points depends on nothing

@@ -3,7 +3,7 @@
 #define seiche_transfer_extrapolation_h
 
 #include <seiche/grid/grid_state.h>
-#include <seiche/grid/occupancy.h>
+#include <seiche/space/occupancy.h>
 
 namespace seiche
 {

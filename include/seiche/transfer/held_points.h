@@ -2,10 +2,11 @@
 #ifndef seiche_transfer_held_points_h
 #define seiche_transfer_held_points_h
 
-#include <seiche/transfer/point_block.h>
+#include <seiche/space/point_batch.h>
 #include <seiche/transfer/wall_faces.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace seiche
@@ -17,6 +18,9 @@ namespace seiche
   /// |J - 1| of a point that is held, at most [-]: drops far off would ask for
   /// an increment that no step size makes small.
   constexpr double largest_volume_error = 0.25;
+
+  /// For the points of a batch.
+  using HeldFlags = std::array<bool, n_lanes_of_register>;
 
   /**
    * @brief Bounds of what points do in steps that are accepted although they
@@ -44,29 +48,28 @@ namespace seiche
       return std::isfinite(limit);
     }
 
-    /// Shorten the ways u [m] and F = I + grad u of the first @p n_filled
-    /// points of a block, at the places @p x [m]; @p reach: the way of a cell
-    /// [m]; @p walls: WallFaces of the cell; @p is_held: of which this was
-    /// done.
+    /// Shorten the ways @p u [m] and @p H = grad u of the first @p n_filled
+    /// points of a batch, at the places @p x [m]; @p reach: the way of a cell
+    /// [m]; @p walls: WallFaces of the cell. Of which points this was done.
     template <typename Walls>
-    void
-    shorten(const dealii::Tensor<1, dim>          &reach,
-            const Walls                           &walls,
-            const std::array<const double *, dim> &x,
-            const unsigned int                     n_filled,
-            double (&F)[dim][dim][n_lanes],
-            double (&u)[dim][n_lanes],
-            bool (&is_held)[n_lanes]) const
+    HeldFlags
+    shorten(const dealii::Tensor<1, dim>    &reach,
+            const Walls                     &walls,
+            const dealii::Point<dim, Lanes> &x,
+            const unsigned int               n_filled,
+            dealii::Tensor<2, dim, Lanes>   &H,
+            dealii::Tensor<1, dim, Lanes>   &u) const
     {
+      HeldFlags is_held = {};
       for (unsigned int l = 0; l < n_filled; ++l)
         {
-          dealii::Tensor<2, dim> H;
+          dealii::Tensor<2, dim> H_l;
           for (unsigned int c = 0; c < dim; ++c)
             for (unsigned int d = 0; d < dim; ++d)
-              H[c][d] = F[c][d][l] - (c == d ? 1. : 0.);
+              H_l[c][d] = H[c][d][l];
           const auto stands = [&](const double share) {
             bool result =
-              keeps_volume(share * H) && keeps_volume(0.5 * share * H);
+              keeps_volume(share * H_l) && keeps_volume(0.5 * share * H_l);
             for (unsigned int c = 0; c < dim; ++c)
               result = result &&
                        share * std::abs(u[c][l]) <= limit * reach[c] &&
@@ -82,11 +85,12 @@ namespace seiche
             continue;
           for (unsigned int c = 0; c < dim; ++c)
             {
-              u[c][l] *= share;
+              u[c][l] = share * u[c][l];
               for (unsigned int d = 0; d < dim; ++d)
-                F[c][d][l] = share * H[c][d] + (c == d ? 1. : 0.);
+                H[c][d][l] = share * H_l[c][d];
             }
         }
+      return is_held;
     }
 
     /// The volume ratio [-] within its bounds.
@@ -102,11 +106,9 @@ namespace seiche
     static constexpr double smallest_share = 1. / 64.;
 
     static bool
-    keeps_volume(dealii::Tensor<2, dim> H)
+    keeps_volume(const dealii::Tensor<2, dim> &H)
     {
-      for (unsigned int d = 0; d < dim; ++d)
-        H[d][d] += 1.;
-      return dealii::determinant(H) >= least_det_F;
+      return dealii::determinant(identity_plus(H)) >= least_det_F;
     }
 
     const double limit; // [cells]

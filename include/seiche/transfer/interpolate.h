@@ -2,8 +2,8 @@
 #ifndef seiche_transfer_interpolate_h
 #define seiche_transfer_interpolate_h
 
-#include <seiche/grid/occupancy.h>
 #include <seiche/points/point_cloud.h>
+#include <seiche/space/occupancy.h>
 
 namespace seiche
 {

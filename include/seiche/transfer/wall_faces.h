@@ -2,8 +2,7 @@
 #ifndef seiche_transfer_wall_faces_h
 #define seiche_transfer_wall_faces_h
 
-#include <seiche/grid/occupancy.h>
-#include <seiche/transfer/point_block.h>
+#include <seiche/space/occupancy.h>
 
 #include <algorithm>
 #include <array>
@@ -25,18 +24,18 @@ namespace seiche
     {}
 
     void
-    reinit(const unsigned int cell, const CellField<dim, degree> &u)
+    reinit(const unsigned int cell,
+           const double (&u)[dim][Basis<dim, degree>::n_nodes])
     {
       const auto      &locator  = occupancy.locator;
       const auto       nodes    = occupancy.template unknowns<degree>(cell);
       constexpr double infinite = std::numeric_limits<double>::max();
-      const auto       corner   = locator.lower_corner(cell);
+      const auto      &geometry = locator.geometry(cell);
       for (unsigned int d = 0; d < dim; ++d)
         {
-          const double length = locator.extent(cell)[d];
-          inverse[d]          = 1. / length;
-          lower[d]            = -infinite;
-          upper[d]            = infinite;
+          inverse[d] = 1. / geometry.edges[d];
+          lower[d]   = -infinite;
+          upper[d]   = infinite;
           for (unsigned int side = 0; side < 2; ++side)
             {
               const auto wall = locator.boundary_id(cell, 2 * d + side);
@@ -45,17 +44,16 @@ namespace seiche
                 continue;
               // where nodes differ (hanging ones, contacts) the farthest counts
               double way = -infinite;
-              for (unsigned int a = 0; a < u.n_nodes; ++a)
-                if (TensorShape<dim, degree>::place(a, d) == side * degree &&
+              for (unsigned int a = 0; a < nodes.n_nodes; ++a)
+                if (Basis<dim, degree>::line_index(a, d) == side * degree &&
                     (occupancy.fixed_components(nodes[a]) >> d & 1u))
-                  way =
-                    std::max(way, side == 0 ? -u.values[d][a] : u.values[d][a]);
+                  way = std::max(way, side == 0 ? -u[d][a] : u[d][a]);
               if (way == -infinite)
                 continue;
               if (side == 0)
-                lower[d] = corner[d] - way;
+                lower[d] = geometry.lower[d] - way;
               else
-                upper[d] = corner[d] + length + way;
+                upper[d] = geometry.upper[d] + way;
             }
         }
     }

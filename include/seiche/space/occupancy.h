@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_occupancy_h
-#define seiche_grid_occupancy_h
+#ifndef seiche_space_occupancy_h
+#define seiche_space_occupancy_h
 
-#include <seiche/grid/linear_cells.h>
-#include <seiche/points/cell_locator.h>
+#include <seiche/mesh/cell_locator.h>
 #include <seiche/points/point_cloud.h>
-#include <seiche/utilities/shape_functions.h>
+#include <seiche/space/basis.h>
+#include <seiche/space/cell_unknowns.h>
+#include <seiche/space/linear_cells.h>
 
 #include <deal.II/base/partitioner.h>
 
@@ -87,20 +88,30 @@ namespace seiche
       return fe.n_dofs_per_cell();
     }
 
+    /// Place of node a in the unit cell.
+    dealii::Point<dim>
+    unit_place(const unsigned int a) const
+    {
+      dealii::Point<dim> result;
+      for (unsigned int d = 0; d < dim; ++d)
+        result[d] = static_cast<double>(line_index(a, d)) / fe.degree;
+      return result;
+    }
+
     /// Index 0 ... degree of node a of a cell in direction d.
     unsigned int
-    place(const unsigned int a, const unsigned int d) const
+    line_index(const unsigned int a, const unsigned int d) const
     {
-      return fe.degree == 1 ? TensorShape<dim, 1>::place(a, d) :
-                              TensorShape<dim, 2>::place(a, d);
+      return fe.degree == 1 ? Basis<dim, 1>::line_index(a, d) :
+                              Basis<dim, 2>::line_index(a, d);
     }
 
     /// Node of a cell at its vertex v.
     unsigned int
     vertex_node(const unsigned int v) const
     {
-      return fe.degree == 1 ? TensorShape<dim, 1>::vertex(v) :
-                              TensorShape<dim, 2>::vertex(v);
+      return fe.degree == 1 ? Basis<dim, 1>::vertex(v) :
+                              Basis<dim, 2>::vertex(v);
     }
 
     /// Own occupied cells, ascending local numbers.
@@ -165,55 +176,10 @@ namespace seiche
         f(std::integral_constant<int, 2>());
     }
 
-    /// The unknowns of a cell as those of an element of some degree, which is
-    /// degree() or fe.degree; lexicographic but for masters.
-    struct Unknowns
-    {
-      const unsigned int *list;
-      const std::uint8_t *places; ///< in the list; null: one after the other
-      const NodeMatrix   *matrix; ///< null: identity
-
-      unsigned int
-      place(const unsigned int a) const
-      {
-        return places != nullptr ? places[a] : a;
-      }
-
-      /// Local node.
-      unsigned int
-      operator[](const unsigned int a) const
-      {
-        return list[place(a)];
-      }
-
-      /// Values at the element's own nodes from those at the unknowns.
-      void
-      expand(double *values) const
-      {
-        if (matrix != nullptr)
-          matrix->expand(values);
-      }
-
-      /// The transpose.
-      void
-      condense(double *values) const
-      {
-        if (matrix != nullptr)
-          matrix->condense(values);
-      }
-
-      /// matrix <- C^T matrix C
-      template <unsigned int n>
-      void
-      condense_matrix(double (&values)[n][n]) const
-      {
-        if (matrix != nullptr)
-          matrix->condense_matrix(values);
-      }
-    };
-
+    /// The unknowns of a cell as those of an element of this degree, which is
+    /// degree(cell) or fe.degree.
     template <int degree>
-    Unknowns
+    CellUnknowns<dim, degree>
     unknowns(const unsigned int cell) const
     {
       if (degree == fe.degree)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/points/cell_locator.h>
-#include <seiche/points/morton_key.h>
+#include <seiche/mesh/cell_locator.h>
+#include <seiche/mesh/morton_key.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -27,10 +27,7 @@ namespace seiche
     const auto &triangulation = grid.triangulation;
     make_lines();
 
-    for (auto *v : {&lower, &upper})
-      v->clear();
-    extents.clear();
-    measures.clear();
+    geometries.clear();
     owners.clear();
     boundary_ids.clear();
     lattice_lower.clear();
@@ -40,7 +37,7 @@ namespace seiche
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         add_cell(cell);
-    n_owned_cells = lower.size();
+    n_owned_cells = n_cells();
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_ghost())
         add_cell(cell);
@@ -103,7 +100,7 @@ namespace seiche
     line_place = place;
     make_lines();
     for (unsigned int cell = 0; cell < n_cells(); ++cell)
-      set_box(cell);
+      set_geometry(cell);
     find_reaches();
   }
 
@@ -139,17 +136,15 @@ namespace seiche
 
   template <int dim>
   void
-  CellLocator<dim>::set_box(const unsigned int cell)
+  CellLocator<dim>::set_geometry(const unsigned int cell)
   {
-    double measure = 1.;
+    dealii::Point<dim> lower, upper;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        lower[cell][d] = lines[d].places[lattice_lower[cell][d]];
-        upper[cell][d] = lines[d].places[lattice_upper[cell][d]];
-        measure *= upper[cell][d] - lower[cell][d];
+        lower[d] = lines[d].places[lattice_lower[cell][d]];
+        upper[d] = lines[d].places[lattice_upper[cell][d]];
       }
-    extents[cell]  = upper[cell] - lower[cell];
-    measures[cell] = measure;
+    geometries[cell] = {lower, upper};
   }
 
 
@@ -167,20 +162,18 @@ namespace seiche
         begin[d] = reference[d].index(cell->center()[d]) / size * size;
         end[d]   = begin[d] + size;
       }
-    by_active_index[cell->active_cell_index()] = lower.size();
-    lower.emplace_back();
-    upper.emplace_back();
-    extents.emplace_back();
-    measures.emplace_back();
+    const unsigned int number                  = n_cells();
+    by_active_index[cell->active_cell_index()] = number;
+    geometries.emplace_back();
     lattice_lower.push_back(begin);
     lattice_upper.push_back(end);
-    set_box(lower.size() - 1);
+    set_geometry(number);
     owners.push_back(cell->subdomain_id());
     iterators.push_back(cell);
     boundary_ids.emplace_back();
     for (const unsigned int face : cell->face_indices())
       boundary_ids.back()[face] =
-        cell->at_boundary(face) && !at_seam(lower.size() - 1, face) ?
+        cell->at_boundary(face) && !at_seam(number, face) ?
           cell->face(face)->boundary_id() :
           dealii::numbers::internal_face_boundary_id;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/shape_integrals.h>
+#include <seiche/space/shape_integrals.h>
 
 #include <algorithm>
 
@@ -34,14 +34,14 @@ namespace seiche
                 typename Occupancy<dim>::Vector &result)
   {
     constexpr unsigned int all    = numbers::invalid_unsigned_int;
-    const Tensor<1, dim>   extent = occupancy.locator.extent(cell);
+    const Tensor<1, dim>   extent = occupancy.locator.geometry(cell).edges;
     double                 integrals[HangingNodes<dim>::max_nodes];
     for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
       {
         integrals[a] = 1.;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            const unsigned int place = occupancy.place(a, d);
+            const unsigned int place = occupancy.line_index(a, d);
             if (face == all || d != face / 2)
               integrals[a] *= extent[d] * line[place];
             else if (place != (face % 2) * occupancy.fe.degree)

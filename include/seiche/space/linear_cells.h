@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_linear_cells_h
-#define seiche_grid_linear_cells_h
+#ifndef seiche_space_linear_cells_h
+#define seiche_space_linear_cells_h
 
-#include <seiche/grid/hanging_nodes.h>
+#include <seiche/space/hanging_nodes.h>
 
 #include <array>
 #include <cstdint>

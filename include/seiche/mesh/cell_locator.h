@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_points_cell_locator_h
-#define seiche_points_cell_locator_h
+#ifndef seiche_mesh_cell_locator_h
+#define seiche_mesh_cell_locator_h
 
+#include <seiche/mesh/cell_geometry.h>
 #include <seiche/scene/background_grid.h>
 
 #include <deal.II/base/array_view.h>
@@ -68,7 +69,7 @@ namespace seiche
     unsigned int
     n_cells() const
     {
-      return lower.size();
+      return geometries.size();
     }
 
     /// Where @p x is inside the domain if it is beyond a periodic side: half
@@ -98,56 +99,10 @@ namespace seiche
     unsigned int
     find(const dealii::Point<dim> &x, const unsigned int hint = invalid) const;
 
-    /// True if @p x lies in the half-open box of the cell.
-    bool
-    holds(const unsigned int cell, const dealii::Point<dim> &x) const
+    const CellGeometry<dim> &
+    geometry(const unsigned int cell) const
     {
-      bool inside = true;
-      for (unsigned int d = 0; d < dim; ++d)
-        inside &= (x[d] >= lower[cell][d]) & (x[d] < upper[cell][d]);
-      return inside;
-    }
-
-    const dealii::Point<dim> &
-    lower_corner(const unsigned int cell) const
-    {
-      return lower[cell];
-    }
-
-    const dealii::Point<dim> &
-    upper_corner(const unsigned int cell) const
-    {
-      return upper[cell];
-    }
-
-    /// Edge lengths [m].
-    const dealii::Tensor<1, dim> &
-    extent(const unsigned int cell) const
-    {
-      return extents[cell];
-    }
-
-    /// Volume (3D) or area (2D) [m^dim].
-    double
-    measure(const unsigned int cell) const
-    {
-      return measures[cell];
-    }
-
-    dealii::BoundingBox<dim>
-    box(const unsigned int cell) const
-    {
-      return dealii::BoundingBox<dim>({lower[cell], upper[cell]});
-    }
-
-    /// Position in the unit cell.
-    dealii::Point<dim>
-    to_unit(const unsigned int cell, const dealii::Point<dim> &x) const
-    {
-      dealii::Point<dim> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = (x[d] - lower[cell][d]) / extents[cell][d];
-      return result;
+      return geometries[cell];
     }
 
     /// Rank that owns the cell.
@@ -307,9 +262,9 @@ namespace seiche
     make_line(const unsigned int direction, const LinePlace &place) const;
     void
     make_lines();
-    /// Corners, extent and measure of a cell between the lines.
+    /// The geometry of a cell between the lines.
     void
-    set_box(const unsigned int cell);
+    set_geometry(const unsigned int cell);
     /// What is smallest around own cells.
     void
     find_reaches();
@@ -352,10 +307,7 @@ namespace seiche
     find_at_wall(const dealii::Point<dim> &x) const;
 
     unsigned int                                   n_owned_cells = 0;
-    std::vector<dealii::Point<dim>>                lower;
-    std::vector<dealii::Point<dim>>                upper;
-    std::vector<dealii::Tensor<1, dim>>            extents;
-    std::vector<double>                            measures;
+    std::vector<CellGeometry<dim>>                 geometries;
     std::vector<unsigned int>                      owners;
     std::vector<std::array<unsigned int, 2 * dim>> face_neighbors;
     std::vector<std::array<dealii::types::boundary_id, 2 * dim>> boundary_ids;

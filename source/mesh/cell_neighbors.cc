@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/points/cell_locator.h>
+#include <seiche/mesh/cell_locator.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
@@ -87,11 +87,15 @@ namespace seiche
   void
   CellLocator<dim>::find_reaches()
   {
-    reaches.assign(extents.begin(), extents.begin() + n_owned());
+    reaches.resize(n_owned());
     for (unsigned int cell = 0; cell < n_owned(); ++cell)
-      for (const unsigned int other : vertex_neighbors(cell))
-        for (unsigned int d = 0; d < dim; ++d)
-          reaches[cell][d] = std::min(reaches[cell][d], extents[other][d]);
+      {
+        reaches[cell] = geometries[cell].edges;
+        for (const unsigned int other : vertex_neighbors(cell))
+          for (unsigned int d = 0; d < dim; ++d)
+            reaches[cell][d] =
+              std::min(reaches[cell][d], geometries[other].edges[d]);
+      }
   }
 
 

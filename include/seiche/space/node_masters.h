@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_node_masters_h
-#define seiche_grid_node_masters_h
+#ifndef seiche_space_node_masters_h
+#define seiche_space_node_masters_h
 
-#include <seiche/points/cell_locator.h>
+#include <seiche/mesh/cell_locator.h>
 
 #include <deal.II/dofs/dof_handler.h>
 

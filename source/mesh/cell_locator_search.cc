@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/points/cell_locator.h>
-#include <seiche/points/morton_key.h>
+#include <seiche/mesh/cell_locator.h>
+#include <seiche/mesh/morton_key.h>
 
 #include <algorithm>
 
@@ -116,11 +116,11 @@ namespace seiche
         // most points stay or move to a neighbour: walk one step a direction
         unsigned int cell = hint;
         for (unsigned int d = 0; d < dim && cell != invalid; ++d)
-          if (x[d] < lower[cell][d])
+          if (x[d] < geometries[cell].lower[d])
             cell = face_neighbors[cell][2 * d];
-          else if (x[d] >= upper[cell][d])
+          else if (x[d] >= geometries[cell].upper[d])
             cell = face_neighbors[cell][2 * d + 1];
-        if (cell != invalid && holds(cell, x))
+        if (cell != invalid && geometries[cell].holds(x))
           return cell;
       }
     Lattice                  index;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/points/cell_locator.h>
+#include <seiche/mesh/cell_locator.h>
 #include <seiche/scene/wrapped.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -54,7 +54,8 @@ namespace seiche
         {
           const double length =
             lines[d].places.back() - lines[d].places.front();
-          const double centre = 0.5 * (lower[cell][d] + upper[cell][d]);
+          const double centre =
+            0.5 * (geometries[cell].lower[d] + geometries[cell].upper[d]);
           result[d] -= length * std::round((x[d] - centre) / length);
         }
     return result;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_node_means_h
-#define seiche_grid_node_means_h
+#ifndef seiche_space_node_means_h
+#define seiche_space_node_means_h
 
-#include <seiche/grid/occupancy.h>
+#include <seiche/space/occupancy.h>
 
 namespace seiche
 {
@@ -19,7 +19,7 @@ namespace seiche
       for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
         {
           const unsigned int node    = occupancy.cell_nodes(cell)[a];
-          const double       measure = occupancy.locator.measure(cell);
+          const double       measure = occupancy.locator.geometry(cell).measure;
           measures.local_element(node) += measure;
           means.local_element(node) += measure * value(cell);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_node_matrix_h
-#define seiche_grid_node_matrix_h
+#ifndef seiche_space_node_matrix_h
+#define seiche_space_node_matrix_h
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/hanging_nodes.h>
+#include <seiche/space/hanging_nodes.h>
 
 #include <deal.II/grid/grid_tools.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/component_partitioner.h>
-#include <seiche/grid/occupancy.h>
+#include <seiche/space/component_partitioner.h>
+#include <seiche/space/occupancy.h>
 #include <seiche/utilities/exceptions.h>
 
 #include <fmt/format.h>
@@ -25,7 +25,8 @@ namespace seiche
           {
             known.sides |= wall.sides;
             known.is_normal |= wall.is_normal;
-            if (locator.measure(wall.cell) < locator.measure(known.cell))
+            if (locator.geometry(wall.cell).measure <
+                locator.geometry(known.cell).measure)
               known.cell = wall.cell;
             return;
           }
@@ -70,8 +71,7 @@ namespace seiche
   {
     smallest = std::numeric_limits<double>::max();
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      for (unsigned int d = 0; d < dim; ++d)
-        smallest = std::min(smallest, locator.extent(cell)[d]);
+      smallest = std::min(smallest, locator.geometry(cell).shortest_edge());
     smallest =
       Utilities::MPI::min(smallest,
                           locator.grid.triangulation.get_communicator());
@@ -115,11 +115,10 @@ namespace seiche
       for (unsigned int a = 0; a < n_nodes; ++a)
         if (!hanging_nodes.hangs(cell, a))
           {
-            Point<dim> x = locator.lower_corner(cell);
+            Point<dim> x = locator.geometry(cell).to_real(unit_place(a));
             for (unsigned int d = 0; d < dim; ++d)
-              x[d] += place(a, d) * locator.extent(cell)[d] / fe.degree;
-            for (unsigned int d = 0; d < dim; ++d)
-              if (place(a, d) == fe.degree && locator.at_seam(cell, 2 * d + 1))
+              if (line_index(a, d) == fe.degree &&
+                  locator.at_seam(cell, 2 * d + 1))
                 x[d] = locator.domain().lower_bound(d);
             position_full[full_cell_nodes[cell * n_nodes + a]] = x;
           }
@@ -143,7 +142,7 @@ namespace seiche
           const bool all =
             locator.grid.wall_condition(wall) == WallCondition::no_slip;
           for (unsigned int a = 0; a < n_nodes; ++a)
-            if (place(a, face / 2) == (face % 2) * fe.degree &&
+            if (line_index(a, face / 2) == (face % 2) * fe.degree &&
                 !hanging_nodes.hangs(cell, a))
               for (unsigned int c = 0; c < dim; ++c)
                 if (all || c == face / 2)
@@ -181,7 +180,7 @@ namespace seiche
           hanging->condense(integral.data());
         for (unsigned int a = 0; a < n_nodes; ++a)
           volume.local_element(full_cell_nodes[cell * n_nodes + a]) +=
-            locator.measure(cell) * integral[a];
+            locator.geometry(cell).measure * integral[a];
       }
     volume.compress(VectorOperation::add);
     volume.update_ghost_values();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_component_partitioner_h
-#define seiche_grid_component_partitioner_h
+#ifndef seiche_space_component_partitioner_h
+#define seiche_space_component_partitioner_h
 
 #include <deal.II/base/partitioner.h>
 

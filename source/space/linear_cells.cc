@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/linear_cells.h>
-#include <seiche/utilities/shape_functions.h>
+#include <seiche/space/basis.h>
+#include <seiche/space/linear_cells.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -19,14 +19,14 @@ namespace seiche
     std::vector<unsigned int>
     ends_of(const unsigned int a)
     {
-      using Shape = TensorShape<dim, 2>;
+      using Shape = Basis<dim, 2>;
       std::vector<unsigned int> result;
       for (unsigned int v = 0; v < (1u << dim); ++v)
         {
           bool is_end = true;
           for (unsigned int d = 0; d < dim; ++d)
-            is_end = is_end && (Shape::place(a, d) == 1 ||
-                                Shape::place(a, d) == 2 * ((v >> d) & 1u));
+            is_end = is_end && (Shape::line_index(a, d) == 1 ||
+                                Shape::line_index(a, d) == 2 * ((v >> d) & 1u));
           if (is_end)
             result.push_back(Shape::vertex(v));
         }
@@ -55,7 +55,7 @@ namespace seiche
                            const NodeMasters<dim>  &masters,
                            const HangingNodes<dim> &hanging_nodes)
   {
-    constexpr unsigned int n = TensorShape<dim, 2>::n_nodes;
+    constexpr unsigned int n = Basis<dim, 2>::n_nodes;
     hanging                  = &hanging_nodes;
     rules.clear();
     matrices.clear();
@@ -70,7 +70,7 @@ namespace seiche
       }
     plain_rule = rules.store(plain, n);
     for (unsigned int v = 0; v < Vertices::n; ++v)
-      plain_vertices.places[v] = TensorShape<dim, 2>::vertex(v);
+      plain_vertices.places[v] = Basis<dim, 2>::vertex(v);
     plain_vertices.matrix = nullptr;
 
     // the masters of an own cell's hanging nodes lie on cells that touch it
@@ -112,9 +112,9 @@ namespace seiche
   void
   LinearCells<dim>::find_vertices(const unsigned int cell)
   {
-    constexpr unsigned int n         = TensorShape<dim, 2>::n_nodes;
+    constexpr unsigned int n         = Basis<dim, 2>::n_nodes;
     const auto             C         = matrix(cell, ~0u)->dense();
-    const auto             vertex    = TensorShape<dim, 2>::vertex;
+    const auto             vertex    = Basis<dim, 2>::vertex;
     const auto             is_needed = [&](const unsigned int place) {
       for (unsigned int v = 0; v < Vertices::n; ++v)
         if (C[vertex(v) * n + place] != 0.)
@@ -149,7 +149,7 @@ namespace seiche
     const unsigned int                                cell,
     const std::map<types::global_dof_index, Parents> &parents)
   {
-    constexpr unsigned int         n     = TensorShape<dim, 2>::n_nodes;
+    constexpr unsigned int         n     = Basis<dim, 2>::n_nodes;
     const types::global_dof_index *nodes = hanging->nodes(cell);
     std::vector<double>            R(n * n, 0.);
     for (unsigned int a = 0; a < n; ++a)
@@ -184,7 +184,7 @@ namespace seiche
       [&](const Iterator &iterator, const Packet &packet) {
         if (!packet.empty())
           rule_of_cell[locator.index(iterator)] =
-            rules.store(packet, TensorShape<dim, 2>::n_nodes);
+            rules.store(packet, Basis<dim, 2>::n_nodes);
       });
   }
 
@@ -192,7 +192,7 @@ namespace seiche
   const NodeMatrix *
   LinearCells<dim>::matrix(const unsigned int cell, const unsigned int means)
   {
-    constexpr unsigned int n    = TensorShape<dim, 2>::n_nodes;
+    constexpr unsigned int n    = Basis<dim, 2>::n_nodes;
     const NodeMatrix      *mesh = hanging->matrix(cell);
     if (means == 0)
       return mesh;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_utilities_shape_functions_h
-#define seiche_utilities_shape_functions_h
+#ifndef seiche_space_basis_h
+#define seiche_space_basis_h
 
 #include <deal.II/base/point.h>
 
@@ -28,11 +28,11 @@ namespace seiche
    * @brief The shape functions of FE_Q(degree) on a box, in closed form.
    *
    * Nodes are numbered lexicographically, x fastest; node i sits at
-   * place(i, d)/degree in the unit cell. All loops have fixed bounds, so that
-   * a caller's loop over points vectorises.
+   * line_index(i, d)/degree in the unit cell. All loops have fixed bounds, so
+   * that a caller's loop over points vectorises.
    */
   template <int dim, int degree>
-  struct TensorShape
+  struct Basis
   {
     static_assert(degree == 1 || degree == 2, "FE_Q(1) and FE_Q(2)");
 
@@ -42,7 +42,7 @@ namespace seiche
 
     /// Index 0 ... degree of node i in direction d.
     static constexpr unsigned int
-    place(const unsigned int i, const unsigned int d)
+    line_index(const unsigned int i, const unsigned int d)
     {
       return degree == 1 ? (i >> d) & 1u :
                            (d == 0 ? i :
@@ -71,36 +71,9 @@ namespace seiche
         line_values(unit[d], line[d]);
       for (unsigned int i = 0; i < n_nodes; ++i)
         {
-          N[i] = line[0][place(i, 0)];
+          N[i] = line[0][line_index(i, 0)];
           for (unsigned int d = 1; d < dim; ++d)
-            N[i] *= line[d][place(i, d)];
-        }
-    }
-
-    /// Values N [n_nodes] and derivatives dN [n_nodes][dim] with respect to
-    /// the coordinates of the unit cell; divide by the cell's extent for
-    /// gradients in [1/m].
-    static void
-    evaluate(const dealii::Point<dim> &unit, double N[], double dN[][dim])
-    {
-      double line[dim][n_line], slope[dim][n_line];
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          line_values(unit[d], line[d]);
-          line_slopes(unit[d], slope[d]);
-        }
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        {
-          N[i] = 1.;
-          for (unsigned int d = 0; d < dim; ++d)
-            N[i] *= line[d][place(i, d)];
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              dN[i][d] = slope[d][place(i, d)];
-              for (unsigned int e = 0; e < dim; ++e)
-                if (e != d)
-                  dN[i][d] *= line[e][place(i, e)];
-            }
+            N[i] *= line[d][line_index(i, d)];
         }
     }
 
@@ -123,7 +96,7 @@ namespace seiche
             line_slopes(unit[c], line);
           else
             line_values(unit[c], line);
-          result *= line[place(i, c)];
+          result *= line[line_index(i, c)];
         }
       return result;
     }
@@ -132,7 +105,7 @@ namespace seiche
     /// weights that sum to one, for lumped masses.
     template <typename Number>
     static void
-    hats(const dealii::Point<dim, Number> &unit, Number N[])
+    bilinear_weights(const dealii::Point<dim, Number> &unit, Number N[])
     {
       using std::abs, std::max; // or those of lanes
       if constexpr (degree == 1)
@@ -143,58 +116,10 @@ namespace seiche
           line[d][k] = max(Number(0.), 1. - abs(degree * unit[d] - double(k)));
       for (unsigned int i = 0; i < n_nodes; ++i)
         {
-          N[i] = line[0][place(i, 0)];
+          N[i] = line[0][line_index(i, 0)];
           for (unsigned int d = 1; d < dim; ++d)
-            N[i] *= line[d][place(i, d)];
+            N[i] *= line[d][line_index(i, d)];
         }
-    }
-
-    /// values and derivatives for @p n_lanes points at once: unit
-    /// [dim][n_lanes] -> N [n_nodes][n_lanes], dN [n_nodes][dim][n_lanes].
-    template <unsigned int n_lanes>
-    static void
-    evaluate_lanes(const double unit[][n_lanes],
-                   double       N[][n_lanes],
-                   double       dN[][dim][n_lanes])
-    {
-      double line[dim][n_line][n_lanes], slope[dim][n_line][n_lanes];
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int l = 0; l < n_lanes; ++l)
-          {
-            const double x = unit[d][l];
-            if constexpr (degree == 1)
-              {
-                line[d][0][l]  = 1. - x;
-                line[d][1][l]  = x;
-                slope[d][0][l] = -1.;
-                slope[d][1][l] = 1.;
-              }
-            else
-              {
-                line[d][0][l]  = (1. - x) * (1. - 2. * x);
-                line[d][1][l]  = 4. * x * (1. - x);
-                line[d][2][l]  = x * (2. * x - 1.);
-                slope[d][0][l] = 4. * x - 3.;
-                slope[d][1][l] = 4. - 8. * x;
-                slope[d][2][l] = 4. * x - 1.;
-              }
-          }
-      for (unsigned int i = 0; i < n_nodes; ++i)
-        for (unsigned int l = 0; l < n_lanes; ++l)
-          {
-            double value = line[0][place(i, 0)][l];
-            for (unsigned int d = 1; d < dim; ++d)
-              value *= line[d][place(i, d)][l];
-            N[i][l] = value;
-            for (unsigned int d = 0; d < dim; ++d)
-              {
-                double derivative = slope[d][place(i, d)][l];
-                for (unsigned int e = 0; e < dim; ++e)
-                  if (e != d)
-                    derivative *= line[e][place(i, e)][l];
-                dN[i][d][l] = derivative;
-              }
-          }
     }
 
     // the functions of one direction

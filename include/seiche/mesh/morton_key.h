@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_points_morton_key_h
-#define seiche_points_morton_key_h
+#ifndef seiche_mesh_morton_key_h
+#define seiche_mesh_morton_key_h
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_shape_integrals_h
-#define seiche_grid_shape_integrals_h
+#ifndef seiche_space_shape_integrals_h
+#define seiche_space_shape_integrals_h
 
-#include <seiche/grid/occupancy.h>
+#include <seiche/space/occupancy.h>
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/node_masters.h>
+#include <seiche/space/node_masters.h>
 #include <seiche/utilities/compatibility.h>
 
 #include <deal.II/dofs/dof_tools.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_hanging_nodes_h
-#define seiche_grid_hanging_nodes_h
+#ifndef seiche_space_hanging_nodes_h
+#define seiche_space_hanging_nodes_h
 
-#include <seiche/grid/node_masters.h>
-#include <seiche/grid/node_matrix.h>
+#include <seiche/space/node_masters.h>
+#include <seiche/space/node_matrix.h>
 
 #include <vector>
 

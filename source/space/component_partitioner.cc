@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/component_partitioner.h>
+#include <seiche/space/component_partitioner.h>
 
 namespace seiche
 {
