@@ -4,17 +4,17 @@
 // is.
 #include <seiche/grid/point_control.h>
 
+#include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 
+#include "point_fields.h"
 #include "scene_from_text.h"
+#include "table_row.h"
 
 namespace
 {
-  using namespace dealii;
-  using seiche::PointColumn;
-
-  const MPI_Comm communicator = MPI_COMM_WORLD;
+  constexpr unsigned int name_width = 14;
 
   template <int dim>
   std::string
@@ -78,90 +78,130 @@ namespace
 
 
 
+  /// What is to be kept, and how evenly the points lie.
   template <int dim>
-  void
-  report(const seiche::PointCloud<dim> &points, const seiche::Fill<dim> &fill)
+  struct Snapshot
   {
-    const Tensor<2, dim> G = gradient<dim>();
-    double mass = 0., volume = 0., deviation = 0., least = 1e9, most = 0.;
-    double error = 0., fullest = 0.;
-    Tensor<1, dim> momentum;
-    for (std::size_t p = 0; p < points.size(); ++p)
-      {
-        const Tensor<1, dim> v = G * points.position(p);
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            const double carried = points.data(PointColumn::velocity, c)[p];
-            error = std::max(error, std::abs(carried - v[c] - 1.));
-            momentum[c] += points.data(PointColumn::mass)[p] * carried;
-            for (unsigned int d = 0; d < dim; ++d)
-              error =
-                std::max(error,
-                         std::abs(points.data(PointColumn::velocity_gradient,
-                                              c * dim + d)[p] -
-                                  G[c][d]));
-          }
-        error =
-          std::max(error, std::abs(points.data(PointColumn::pressure)[p] - 3.));
-        mass += points.data(PointColumn::mass)[p];
+    Snapshot(const seiche::PointCloud<dim> &points,
+             const seiche::Fill<dim>       &fill)
+      : ledger(of_points(points, column(points, PointColumn::velocity)))
+    {
+      for (std::size_t p = 0; p < points.size(); ++p)
         volume += points.data(PointColumn::initial_volume)[p] *
                   points.data(PointColumn::volume_ratio)[p];
-      }
-    const seiche::Occupancy<dim> &occupancy = fill.occupancy;
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
-      {
-        const double f = fill.nodal_fill().local_element(i) - 1.;
-        deviation += occupancy.node_volume(i) * f * f;
-        fullest = std::max(fullest, f + 1.);
-      }
-    for (const unsigned int cell : occupancy.occupied_cells())
-      {
-        least = std::min<double>(least, points.n_points_in(cell));
-        most  = std::max<double>(most, points.n_points_in(cell));
-      }
-    std::set<std::uint64_t> ids;
-    std::uint64_t           sum = 0;
-    for (const auto &own :
-         Utilities::MPI::all_gather(communicator, points.ids()))
-      for (const std::uint64_t id : own)
+      volume = global_sum(volume);
+      for (const auto &own :
+           Utilities::MPI::all_gather(communicator, points.ids()))
+        ids.insert(ids.end(), own.begin(), own.end());
+      std::sort(ids.begin(), ids.end());
+
+      const seiche::Occupancy<dim> &occupancy = fill.occupancy;
+      for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
         {
-          ids.insert(id);
-          sum += id;
+          const double f = fill.nodal_fill().local_element(i);
+          uneven += occupancy.node_volume(i) * (f - 1.) * (f - 1.);
+          fullest = std::max(fullest, f);
         }
-    const auto total = [](const double value) {
-      return Utilities::MPI::sum(value, communicator);
+      uneven  = std::sqrt(global_sum(uneven));
+      fullest = global_max(fullest);
+      for (const unsigned int cell : occupancy.occupied_cells())
+        {
+          const double n = points.n_points_in(cell);
+          fewest         = std::min(fewest, n);
+          most           = std::max(most, n);
+        }
+      fewest = -global_max(-fewest);
+      most   = global_max(most);
+    }
+
+    Ledger<dim>                ledger;
+    double                     volume = 0.;
+    std::vector<std::uint64_t> ids;          // of all ranks
+    double                     uneven  = 0.; // rms deviation of nodal fill
+    double                     fullest = 0.; // nodal fill
+    double                     fewest = 1e9, most = 0.; // points in a cell
+  };
+
+
+
+  /// The linear fields and the constant pressure of disturb().
+  template <int dim>
+  bool
+  are_fields_exact(const seiche::PointCloud<dim> &points)
+  {
+    const Tensor<2, dim> G        = gradient<dim>();
+    const auto           velocity = column(points, PointColumn::velocity);
+    return for_all(points.size(), [&](const std::size_t p) {
+      auto difference = velocity[p] - G * points.position(p);
+      for (unsigned int d = 0; d < dim; ++d)
+        difference[d] -= 1.;
+      double error =
+        std::max(difference.norm(),
+                 std::abs(points.data(PointColumn::pressure)[p] - 3.));
+      for (unsigned int c = 0; c < dim * dim; ++c)
+        error =
+          std::max(error,
+                   std::abs(points.data(PointColumn::velocity_gradient, c)[p] -
+                            G[c / dim][c % dim]));
+      return error < 1e-12;
+    });
+  }
+
+
+
+  /// New points have the next ids, none has that of another.
+  template <int dim>
+  bool
+  are_ids_right(const Snapshot<dim> &before,
+                const Snapshot<dim> &after,
+                const unsigned int   n_split)
+  {
+    bool right =
+      std::adjacent_find(after.ids.begin(), after.ids.end()) == after.ids.end();
+    unsigned int n_new = 0;
+    for (const std::uint64_t id : after.ids)
+      if (id > before.ids.back())
+        right &= id == before.ids.back() + ++n_new;
+      else
+        right &= std::binary_search(before.ids.begin(), before.ids.end(), id);
+    return right && n_new == n_split;
+  }
+
+
+
+  /// Whether the account of what was done gives the changes, and those to the
+  /// right deed if there is one only.
+  template <int dim>
+  bool
+  is_account_right(std::map<std::string, double> account,
+                   const std::string            &deed,
+                   const Snapshot<dim>          &before,
+                   const Snapshot<dim>          &after)
+  {
+    const auto is_change = [&](const std::string &what, const double change) {
+      double sum = 0.;
+      for (const char *by : {"shifting", "splitting", "merging"})
+        if (deed == "both" || deed == by)
+          sum += account[by + (" " + what)];
+        else if (std::abs(account[by + (" " + what)]) > 1e-9)
+          return false;
+      return std::abs(sum - change) < 1e-9;
     };
-    for (unsigned int c = 0; c < dim; ++c)
-      momentum[c] = total(momentum[c]);
-    mass      = total(mass);
-    volume    = total(volume);
-    deviation = std::sqrt(total(deviation));
-    least     = Utilities::MPI::min(least, communicator);
-    most      = Utilities::MPI::max(most, communicator);
-    fullest   = Utilities::MPI::max(fullest, communicator);
-    error     = Utilities::MPI::max(error, communicator);
-    print("  points ",
-          points.n_global(),
-          ", ids ",
-          ids.size(),
-          " sum ",
-          sum,
-          ", in a cell ",
-          least,
-          " to ",
-          most,
-          "; fill: rms deviation ",
-          deviation,
-          ", largest ",
-          fullest);
-    print("  mass ",
-          mass,
-          " momentum ",
-          momentum,
-          " volume ",
-          volume,
-          "; linear fields exact: ",
-          error < 1e-12 ? "yes" : "no");
+    const auto &a = before.ledger, &b = after.ledger;
+    bool        right = is_change("energy [J]", b.energy - a.energy);
+    for (unsigned int d = 0; d < dim; ++d)
+      right &= is_change(std::string("momentum ") + "xyz"[d] + " [kg m/s]",
+                         b.momentum[d] - a.momentum[d]);
+    for (unsigned int d = dim == 2 ? 2 : 0; d < 3; ++d)
+      {
+        const unsigned int e = (d + 1) % 3, f = (d + 2) % 3;
+        right &=
+          is_change(std::string("angular momentum ") + "xyz"[d] + " [kg m^2/s]",
+                    b.spin[e][f] - a.spin[e][f]);
+      }
+    const double n_new =
+      account["points split [-]"] - account["points merged [-]"];
+    return right && before.ids.size() + n_new == after.ids.size();
   }
 
 
@@ -171,7 +211,6 @@ namespace
   test(const std::string                    &name,
        const seiche::PointControlParameters &parameters)
   {
-    print(dim, "D ", name);
     const SceneFromText<dim>    scene(scene_text<dim>());
     seiche::BackgroundGrid<dim> grid(scene.grid_parameters, communicator);
     seiche::CellLocator<dim>    locator(grid);
@@ -189,12 +228,33 @@ namespace
     seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::cut_cells);
     fill.update(points);
     seiche::PointControl<dim> control(parameters, points, occupancy, fill);
-    report(points, fill);
+    const Snapshot<dim>       before(points, fill);
     for (unsigned int step = 0; step < 4; ++step)
       control.update();
-    report(points, fill);
-    for (const auto &[what, value] : control.account())
-      print("  ", what, " ", std::abs(value) < 1e-12 ? 0. : value);
+    const Snapshot<dim> after(points, fill);
+
+    const auto                    change = control.account();
+    std::map<std::string, double> account(change.begin(), change.end());
+    const auto                   &a = before.ledger, &b = after.ledger;
+    constexpr double              ppm = 1e6;
+    TableRow row(std::to_string(dim) + "D " + name, name_width);
+    for (const Snapshot<dim> *state : {&before, &after})
+      {
+        row.score(state->ids.size());
+        row.add(std::to_string(static_cast<int>(state->fewest)) + "-" +
+                std::to_string(static_cast<int>(state->most)));
+        row.score(state->uneven);
+        row.score(state->fullest);
+      }
+    row.verdict(std::abs(b.mass - 93.75) < 1e-10);
+    row.verdict(std::abs(after.volume - before.volume) < 1e-12);
+    row.verdict(are_fields_exact(points));
+    row.digits(ppm * (b.momentum - a.momentum).norm() / a.momentum.norm());
+    row.digits(ppm * (b.spin - a.spin).norm() / a.spin.norm());
+    row.digits(ppm * (b.energy / a.energy - 1.));
+    row.verdict(is_account_right(account, name, before, after));
+    row.verdict(are_ids_right(before, after, account["points split [-]"]));
+    print(row.text.str());
   }
 } // namespace
 
@@ -204,7 +264,30 @@ int
 main(int argc, char **argv)
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  seiche::PointControlParameters   shifting, reseeding;
+  print("Before and after: points, how many in a cell, rms deviation of the "
+        "nodal fill from 1 and its largest value. Kept: mass, volume,\n"
+        "linear velocity and constant pressure of the points. Change of "
+        "momentum, spin, energy [millionths]; its account; ids.");
+  TableRow head("", name_width);
+  for (const char *name : {"points",
+                           "in cell",
+                           "uneven",
+                           "fullest",
+                           "points",
+                           "in cell",
+                           "uneven",
+                           "fullest",
+                           "mass",
+                           "volume",
+                           "fields",
+                           "mv",
+                           "spin",
+                           "energy",
+                           "account",
+                           "ids"})
+    head.add(name);
+  print(head.text.str());
+  seiche::PointControlParameters shifting, reseeding;
   shifting.sweeps     = 3;
   reseeding.reseeding = true;
   reseeding.fewest    = 8;

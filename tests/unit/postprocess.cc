@@ -9,11 +9,11 @@
 
 #include <boost/property_tree/xml_parser.hpp>
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iomanip>
 #include <iostream>
+
+#include "half_full_box.h"
 
 using namespace dealii;
 using namespace seiche;
@@ -43,102 +43,6 @@ namespace
     }
   };
 
-  // The scene: four cells a direction, the lower half full of points at rest
-  // on a no-slip bottom, an obstacle in the upper right.
-  template <int dim>
-  std::string
-  scene()
-  {
-    const bool        flat = dim == 2;
-    const std::string rest = flat ? "" : ", 0.5";
-    return "set Dimension = " + std::to_string(dim) +
-           std::string("\nsubsection Grid\n  set Lower corner = 0, 0") +
-           (flat ? "" : ", 0") + "\n  set Upper corner = 1, 1" +
-           (flat ? "" : ", 1") +
-           "\n  set Cell size = 0.25\nend\n"
-           "subsection Walls\n  set Bottom = no-slip\nend\n"
-           "subsection Obstacle post\n  set Lower corner = 0.75, " +
-           (flat ? "0.75" : "0, 0.75") + "\n  set Upper corner = 1, 1" +
-           (flat ? "" : ", 1") +
-           "\nend\n"
-           "subsection Time\n  set End time = 0.2\nend\n"
-           "subsection Output\n  set Interval = 0.1\n"
-           "  set Point series = true\nend\n"
-           "subsection Front right\nend\n"
-           "subsection Front bottom\n  set Direction = y\n"
-           "  set Sense = lower\nend\n"
-           "subsection Gauge middle\n  set Position = 0.5, 0" +
-           (flat ? "" : ", 0") +
-           "\nend\n"
-           "subsection Probe inside\n  set Position = 0.4, 0.3" +
-           (flat ? "" : ", 0.2") +
-           "\nend\n"
-           "subsection Probe sensor\n  set Position = 0, 0.25" +
-           (flat ? "" : ", 0.25") +
-           "\n  set Diameter = 0.1\nend\n"
-           "subsection Probe speed\n  set Position = 0.4, 0.3" +
-           (flat ? "" : ", 0.2") +
-           "\n  set Quantity = velocity\nend\n"
-           "subsection Probe dry\n  set Position = 0.5, 0.9" +
-           (flat ? "" : ", 0.9") +
-           "\nend\n"
-           "subsection Tracked point corner\n  set Position = 0, 0" +
-           (flat ? "" : ", 0") + "\n  set Centre = 0.5, 0.5" + rest +
-           "\nend\n"
-           "subsection Force floor\n  set Walls = bottom\nend\n"
-           "subsection Force box\n  set Walls = left, right, bottom\n"
-           "  set Reference point = 0.5, 0" +
-           (flat ? "" : ", 0") +
-           "\nend\n"
-           "subsection Error p nodes\n  set Sample = nodes\n  set Norm = rms\n"
-           "  set Exact = 3 + 2*x + y\nend\n"
-           "subsection Error p Gauss\n  set Exact = 3 + 2*x + y\nend\n"
-           "subsection Error p points\n  set Sample = material points\n"
-           "  set Norm = maximum\n  set Exact = 3 + 2*x + y\nend\n"
-           "subsection Error p shifted\n  set Exact = 103 + 2*x + y\n"
-           "  set Norm = rms\n  set Remove mean = true\nend\n"
-           "subsection Error p off\n  set Exact = 5 + 2*x + y\n"
-           "  set Norm = rms\n  set Scale = 4\n"
-           "  set Region upper = 0.5, 0.5" +
-           rest +
-           "\nend\n"
-           "subsection Error v Gauss\n  set Quantity = velocity\n"
-           "  set Exact = y; 1 - x" +
-           (flat ? "" : "; 0") +
-           "\nend\n"
-           "subsection Score inside\n"
-           "  set Column = probe inside pressure [Pa]\n"
-           "  set Measure = last\n  set Time column = pressure_time\nend\n";
-  }
-
-  template <int dim>
-  double
-  exact_pressure(const Point<dim> &x)
-  {
-    return 3. + 2. * x[0] + x[1];
-  }
-
-  template <int dim>
-  Tensor<1, dim>
-  exact_velocity(const Point<dim> &x)
-  {
-    Tensor<1, dim> v;
-    v[0] = x[1];
-    v[1] = 1. - x[0];
-    return v;
-  }
-
-  /// A linear displacement of the step; it leaves no wall at zero.
-  template <int dim>
-  Tensor<1, dim>
-  displacement(const Point<dim> &x)
-  {
-    Tensor<1, dim> u;
-    u[0] = -0.04 * x[0];
-    u[1] = 0.02 * x[1];
-    return u;
-  }
-
   template <int dim>
   void
   fill_with_points(PointCloud<dim> &points)
@@ -155,7 +59,7 @@ namespace
             points.insert((locator.lattice_index(cell) << 26) + k,
                           x,
                           exact_velocity(x),
-                          0.5,
+                          point_mass,
                           locator.geometry(cell).measure / (1u << dim));
         }
     points.locate();
@@ -166,7 +70,6 @@ namespace
   template <int dim>
   void
   set_state(const Occupancy<dim> &occupancy,
-            const double          theta,
             const double          motion,
             GridState<dim>       &state)
   {
@@ -203,7 +106,7 @@ namespace
 
   template <int dim>
   void
-  move_points(const double theta, PointCloud<dim> &points)
+  move_points(PointCloud<dim> &points)
   {
     for (std::size_t i = 0; i < points.size(); ++i)
       {
@@ -236,13 +139,77 @@ namespace
       "VTKFile.UnstructuredGrid.Piece.<xmlattr>.NumberOfPoints");
   }
 
-  /// Round-off is no zero for a program that compares numbers.
-  void
-  print(const double value)
+  /// What the program found: columns, ledger and scores.
+  Numbers
+  all_numbers(const StatisticsTable        &statistics,
+              const nlohmann::ordered_json &summary)
   {
-    std::cout << std::setprecision(10) << (std::abs(value) < 1e-10 ? 0. : value)
-              << '\n';
+    Numbers numbers;
+    for (const std::string &column : statistics.names())
+      numbers[column] = statistics.last(column);
+    for (const auto &[key, value] : summary["ledger"].items())
+      if (value.is_array())
+        for (unsigned int d = 0; d < value.size(); ++d)
+          numbers["ledger " + key + " " + axes[d]] =
+            value[d].template get<double>();
+      else
+        numbers["ledger " + key] =
+          value.is_null() ? NAN : value.template get<double>();
+    for (const auto &[key, value] : summary["errors"].items())
+      numbers["errors " + key] = value.template get<double>();
+    return numbers;
   }
+
+
+
+  /// The postprocessor that a number is of.
+  std::string
+  kind(const std::string &name)
+  {
+    const std::string first = name.substr(0, name.find(' '));
+    for (const char *kind : {"front",
+                             "gauge",
+                             "depth",
+                             "probe",
+                             "point",
+                             "force",
+                             "moment",
+                             "error",
+                             "errors",
+                             "ledger"})
+      if (first == kind)
+        return first;
+    return "totals";
+  }
+
+
+
+  void
+  compare(const Numbers &found, const Numbers &expected)
+  {
+    std::map<std::string, unsigned int> n_right, n_all;
+    for (const auto &[name, value] : found)
+      if (expected.count(name) == 0)
+        std::cout << "  without an exact value: " << name << " about "
+                  << std::round(1000. * value) / 1000. << '\n';
+    for (const auto &[name, value] : expected)
+      {
+        const bool is_there = found.count(name) > 0;
+        const bool right = is_there && std::abs(found.at(name) - value) < 1e-10;
+        ++n_all[kind(name)];
+        n_right[kind(name)] += right;
+        if (!right)
+          std::cout << "  NOT " << name << " = " << value << ", but "
+                    << (is_there ? std::to_string(found.at(name)) : "none")
+                    << '\n';
+      }
+    std::cout << "  as counted by hand:";
+    for (const auto &[kind, n] : n_all)
+      std::cout << ' ' << kind << ' ' << n_right[kind] << " of " << n << ';';
+    std::cout << '\n';
+  }
+
+
 
   template <int dim>
   void
@@ -273,7 +240,6 @@ namespace
     Fill<dim> fill(occupancy, QuadratureRule::cut_cells);
     fill.update(points);
 
-    const double    theta = 0.5;
     GridState<dim>  state;
     StatisticsTable statistics("");
     postprocessors.request_columns(statistics);
@@ -281,22 +247,22 @@ namespace
       {
         // the second step is a repetition of the first, from the same start
         if (step == 1)
-          move_points(theta, points);
+          move_points(points);
         state.reinit(occupancy, with_pressure, false);
-        set_state(occupancy, theta, step == 0 ? 0. : 1., state);
-        Tensor<1, dim> gravity;
-        gravity[dim - 1] = -10.;
+        set_state(occupancy, step == 0 ? 0. : 1., state);
+        Tensor<1, dim> downwards;
+        downwards[dim - 1] = -gravity;
         const StepView<dim> view{step,
-                                 0.1 * step,
-                                 step == 0 ? 0. : 0.1,
+                                 time_step * step,
+                                 step == 0 ? 0. : time_step,
                                  step == 0     ? 0. :
-                                 with_pressure ? 0.1 * step - 0.05 :
-                                                 0.1 * step,
+                                 with_pressure ? time_step * (step - 0.5) :
+                                                 time_step * step,
                                  points,
                                  occupancy,
                                  fill,
                                  state,
-                                 gravity,
+                                 downwards,
                                  std::numeric_limits<double>::infinity(),
                                  theta,
                                  with_pressure ? theta : 1.,
@@ -315,26 +281,7 @@ namespace
       return;
 
     std::cout << (with_pressure ? "mixed " : "irreducible ") << dim << "D\n";
-    for (const std::string &column : statistics.names())
-      {
-        std::cout << column << ": ";
-        print(statistics.last(column));
-      }
-    for (const auto &[key, value] : summary["ledger"].items())
-      for (const auto &number :
-           value.is_array() ? value : nlohmann::ordered_json::array({value}))
-        {
-          std::cout << "ledger " << key << ": ";
-          if (number.is_null())
-            std::cout << "null\n";
-          else
-            print(number.template get<double>());
-        }
-    for (const auto &[key, value] : summary["errors"].items())
-      {
-        std::cout << "error " << key << ": ";
-        print(value.template get<double>());
-      }
+    compare(all_numbers(statistics, summary), by_hand<dim>(with_pressure));
 
     unsigned int n_points = 0, n_corners = 0, n_frames = 0;
     for (const auto &entry : std::filesystem::directory_iterator(name))
@@ -347,11 +294,17 @@ namespace
           n_corners += points_in_vtu(entry.path().string());
         n_frames += entry.path().extension() == ".h5";
       }
-    std::cout << "last frame: points " << n_points << ", corners of cells "
-              << n_corners << "; HDF5 frames " << n_frames << '\n'
+    // four corners of each cell that is wet, as many points as there are
+    const unsigned int n = Totals<dim>(0.).n_points;
+    std::cout << "  last frame: all points " << (n_points == n ? "yes" : "NO")
+              << ", corners of wet cells " << (n_corners == n ? "yes" : "NO")
+              << "; HDF5 frames " << n_frames << '\n'
               << std::endl;
     std::filesystem::remove_all(name);
   }
+
+
+
   /// What is said about an entry that makes no sense.
   void
   show_message(const std::string &override_entry)

@@ -37,6 +37,22 @@ public:
     add(std::isnan(value) ? "none" : rounded.str());
   }
 
+  /// The first three digits; what is below 1e-6 is zero.
+  void
+  digits(const double value)
+  {
+    std::ostringstream rounded;
+    if (std::abs(value) < 1e-6)
+      rounded << 0;
+    else
+      {
+        const double unit =
+          std::pow(10., std::floor(std::log10(std::abs(value))) - 2.);
+        rounded << std::round(value / unit) * unit;
+      }
+    add(rounded.str());
+  }
+
   std::ostringstream text;
 };
 
