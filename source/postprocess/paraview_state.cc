@@ -23,6 +23,9 @@ from paraview.simple import *
 FOLDER = os.path.dirname(os.path.abspath(__file__)) if "__file__" in globals() else os.getcwd()
 VELOCITY, LEVEL = "velocity [m/s]", "level set [cells]"
 DISPLACEMENT, RADIUS = "displacement of the step [m]", "radius [m]"
+MATERIAL = "material [-]"  # of the points, with several fluids: 0 is the Fluid
+FLUIDS = ([0.29, 0.61, 0.83], [0.88, 0.63, 0.19], [0.31, 0.62, 0.41], [0.60, 0.40, 0.68],
+          [0.78, 0.37, 0.27], [0.52, 0.52, 0.35])
 DARK, GREY = [0.04, 0.16, 0.27], [0.55, 0.55, 0.55]
 
 
@@ -89,8 +92,23 @@ def show_points(points, view):
     balls.GaussianRadius = 1.25
     if IS_FLAT:
         balls.ShaderPreset = "Plain circle"
-    colour_by_speed(balls, view)
+    if has_fluids:
+        colour_by_material(points, balls, view)
+    else:
+        colour_by_speed(balls, view)
     return balls
+
+
+def colour_by_material(points, shown, view):
+    ColorBy(shown, ("POINTS", MATERIAL))
+    number = int(points.PointData[MATERIAL].GetRange()[1]) + 1
+    colours = GetColorTransferFunction(MATERIAL)
+    colours.InterpretValuesAsCategories = 1
+    colours.Annotations = [text for n in range(number) for text in (str(n), "material %d" % n)]
+    colours.IndexedColors = [v for n in range(number) for v in FLUIDS[n % len(FLUIDS)]]
+    bar = GetScalarBar(colours, view)
+    bar.Title, bar.ComponentTitle = "fluids", ""
+    shown.SetScalarBarVisibility(view, True)
 
 
 def colour_by_speed(shown, view):
@@ -107,6 +125,7 @@ if not frames:
 BOUNDS = frames[-1].GetDataInformation().GetBounds()
 IS_FLAT = BOUNDS[5] - BOUNDS[4] == 0
 has_level = grid is not None and LEVEL in grid.PointData.keys()
+has_fluids = points is not None and MATERIAL in points.PointData.keys()
 
 if walls:
     show_walls(walls, view)
@@ -115,7 +134,10 @@ if has_level:
     water = Show(body_of_water(cells), view)
     water.Specular, water.SpecularPower = 0.3, 30.0
     colour_by_speed(water, view)
-    if points:
+    if has_fluids:  # the cells do not know them
+        water.SetScalarBarVisibility(view, False)
+        water.Visibility = 0
+    elif points:
         show_points(spray(points, cells), view)
 if surface:
     line = Show(surface, view)
@@ -124,7 +146,7 @@ if surface:
     line.LineWidth = 2.0
     line.Visibility = int(IS_FLAT or not has_level)  # in 3D the water's skin shows it
 if points:
-    show_points(points, view).Visibility = int(not has_level)
+    show_points(points, view).Visibility = int(has_fluids or not has_level)
 time = AnnotateTimeFilter(registrationName="time", Input=frames[0])
 time.Format = "t = {time:.3f} s"
 Show(time, view).FontSize = 18

@@ -26,10 +26,13 @@ namespace seiche
       cloud.add_scalar("radius [m]");
       for (const char *part : {"low", "middle", "high"})
         cloud.add_scalar(fmt::format("id {} bits", part));
-
       const PointCloud<dim> &points = view.points;
-      const double          *ratio  = points.data(PointColumn::volume_ratio);
-      const double          *v0     = points.data(PointColumn::initial_volume);
+      const bool several_materials  = points.has(PointColumn::material);
+      if (several_materials)
+        cloud.add_scalar("material [-]");
+
+      const double *ratio = points.data(PointColumn::volume_ratio);
+      const double *v0    = points.data(PointColumn::initial_volume);
       cloud.patches.resize(points.size());
       for (std::size_t i = 0; i < points.size(); ++i)
         {
@@ -47,6 +50,8 @@ namespace seiche
             patch.data(dim + 4 + part, 0) =
               (points.ids()[i] >> (part * exact_bits)) &
               ((std::uint64_t(1) << exact_bits) - 1);
+          if (several_materials)
+            patch.data(dim + 7, 0) = points.data(PointColumn::material)[i];
         }
       return cloud;
     }

@@ -3,6 +3,7 @@
 #include <seiche/scene/scene_map.h>
 #include <seiche/simulation/scene_picture.h>
 #include <seiche/simulation/scene_section.h>
+#include <seiche/simulation/scene_styles.h>
 #include <seiche/utilities/svg_canvas.h>
 
 #include <fmt/format.h>
@@ -27,7 +28,10 @@ namespace seiche
     /// Lines of a legend below the panels.
     template <int dim>
     void
-    draw_legend(const Scene<dim> &scene, Place place, SvgCanvas &canvas)
+    draw_legend(const Scene<dim>                  &scene,
+                const std::vector<FluidBody<dim>> &bodies,
+                Place                              place,
+                SvgCanvas                         &canvas)
     {
       const auto sample = [&](const std::string &style,
                               const std::string &text) {
@@ -42,6 +46,10 @@ namespace seiche
           if (shown.insert(style.name).second)
             sample(style.style, style.name);
         }
+      const auto fluids = fluid_styles(scene, bodies);
+      if (fluids.size() > 1)
+        for (const auto &[material, style] : fluids)
+          sample("stroke-width:10;stroke:" + style.colour, style.name);
     }
 
 
@@ -122,7 +130,7 @@ namespace seiche
         panel(1, 2, {{margin + gap + scale * domain.side_length(0), top}});
         panel(0, 1, {{margin, top + gap + scale * up}});
       }
-    draw_legend(scene, {{margin, height - line_height}}, canvas);
+    draw_legend(scene, bodies, {{margin, height - line_height}}, canvas);
     return canvas.str();
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/scene/background_grid.h>
-#include <seiche/scene/wall_condition_table.h>
 #include <seiche/simulation/scene_section.h>
+#include <seiche/simulation/scene_styles.h>
 #include <seiche/utilities/svg_labels.h>
 
 #include <fmt/format.h>
@@ -20,16 +20,12 @@ namespace seiche
 
     constexpr double fluid_samples = 240.; // along the longer side
 
-    constexpr const char *fluid_style    = "fill:#6aaee0;stroke:none",
-                         *obstacle_style = "fill:#9a9a9a;stroke:#444",
+    constexpr const char *obstacle_style = "fill:#9a9a9a;stroke:#444",
                          *grid_style     = "stroke:#d4d4d4;stroke-width:0.5",
                          *refined_style  = "fill:none;stroke:#8a5fbf;"
                                            "stroke-dasharray:4 3",
                          *place_style    = "fill:#d03030;stroke:white",
                          *tick_style     = "stroke:#222";
-
-    const LineStyle moving_wall = {"moving wall",
-                                   "stroke:#e08020;stroke-width:5"};
 
 
 
@@ -84,6 +80,7 @@ namespace seiche
         : scene(scene_parameters)
         , grid(scene_parameters.grid)
         , bodies(fluid_bodies)
+        , styles(fluid_styles(scene_parameters, fluid_bodies))
         , across(view.across)
         , up(view.up)
         , middle(view.middle)
@@ -96,7 +93,7 @@ namespace seiche
       void
       draw()
       {
-        draw_fluid();
+        draw_fluids();
         draw_grid();
         draw_walls();
         draw_axes(); // its texts are always there
@@ -106,6 +103,8 @@ namespace seiche
       }
 
     private:
+      using Range = std::pair<unsigned int, unsigned int>; // of bodies
+
       Place
       place(const double a, const double b) const
       {
@@ -120,19 +119,36 @@ namespace seiche
       }
 
       double
-      level(const double a, const double b) const
+      level(const double a, const double b, const Range &group) const
       {
         Point<dim> x  = middle;
         x[across]     = a;
         x[up]         = b;
         double lowest = std::numeric_limits<double>::max();
-        for (const auto &body : bodies)
-          lowest = std::min(lowest, body.region->level(x));
+        for (unsigned int body = group.first; body < group.second; ++body)
+          lowest = std::min(lowest, bodies[body].region->level(x));
         return lowest;
       }
 
+      /// Bodies that follow each other and have one material at once; the
+      /// first ones last, which have what several bodies cover.
       void
-      draw_fluid()
+      draw_fluids()
+      {
+        const auto material = [&](const unsigned int body) {
+          return bodies[body].material;
+        };
+        for (unsigned int end = bodies.size(), begin; end > 0; end = begin)
+          {
+            begin = end - 1;
+            while (begin > 0 && material(begin - 1) == material(begin))
+              --begin;
+            draw_bodies({begin, end});
+          }
+      }
+
+      void
+      draw_bodies(const Range &group)
       {
         const double width   = grid.domain().side_length(across),
                      height  = grid.domain().side_length(up),
@@ -155,7 +171,8 @@ namespace seiche
                                                              0.),
                                             b(j) + (j == 0 ? inside :
                                                     j == m ? -inside :
-                                                             0.));
+                                                             0.),
+                                            group);
         std::vector<std::vector<Place>> parts;
         for (unsigned int j = 0; j < m; ++j)
           for (unsigned int i = 0; i < n; ++i)
@@ -179,7 +196,8 @@ namespace seiche
               if (part.size() > 2)
                 parts.push_back(std::move(part));
             }
-        canvas.polygons(parts, fluid_style);
+        const auto &fluid = styles.at(bodies[group.first].material);
+        canvas.polygons(parts, "fill:" + fluid.colour + ";stroke:none");
       }
 
       void
@@ -324,32 +342,18 @@ namespace seiche
           }
       }
 
-      const Scene<dim>                  &scene;
-      const GridParameters<dim>         &grid;
-      const std::vector<FluidBody<dim>> &bodies;
-      const unsigned int                 across, up;
-      const Point<dim>                   middle;
-      const Place                        upper_left;
-      const double                       scale;
-      SvgCanvas                         &canvas;
-      SvgLabels                          labels;
+      const Scene<dim>                        &scene;
+      const GridParameters<dim>               &grid;
+      const std::vector<FluidBody<dim>>       &bodies;
+      const std::map<unsigned int, FluidStyle> styles; // by material
+      const unsigned int                       across, up;
+      const Point<dim>                         middle;
+      const Place                              upper_left;
+      const double                             scale;
+      SvgCanvas                               &canvas;
+      SvgLabels                                labels;
     };
   } // namespace
-
-
-
-  template <int dim>
-  LineStyle
-  wall_style(const GridParameters<dim> &grid, const unsigned int side)
-  {
-    if (!grid.wall_displacement_text(side).empty())
-      return moving_wall;
-    for (const WallConditionEntry &entry : wall_condition_table)
-      if (entry.condition == grid.walls[side])
-        return {entry.name, entry.line};
-    Assert(false, ExcInternalError());
-    return {};
-  }
 
 
 
@@ -365,10 +369,6 @@ namespace seiche
 
 
 
-  template LineStyle
-  wall_style(const GridParameters<2> &, const unsigned int);
-  template LineStyle
-  wall_style(const GridParameters<3> &, const unsigned int);
   template void
   draw_section(const Scene<2> &,
                const std::vector<FluidBody<2>> &,

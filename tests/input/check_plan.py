@@ -387,7 +387,8 @@ def check_picture(program, problems):
                 ("verification/wave_maker.prm",
                  ["x [m]", "y [m]", "near", "far", "moving wall"]),
                 ("verification/progressive_wave.prm", ["periodic", "slip"]),
-                ("verification/elliptic_drop.prm", ["x [m]"])):
+                ("verification/elliptic_drop.prm", ["x [m]"]),
+                ("verification/internal_wave.prm", ["water", "oil"])):
             code, out, err, _ = run(program, PRM / name, [], folder, "--validate")
             file = folder / "run.svg"
             if code or not file.is_file() or str(file) not in out:
@@ -400,7 +401,11 @@ def check_picture(program, problems):
                          if text not in found]
             if any(not element.get("style") for element in root.iter(space + "line")):
                 problems.append(f"{name}: a line without style")
-            water = [element.get("d") for element in root.iter(space + "path")]
+            paths = list(root.iter(space + "path"))
+            fluids = {element.get("style") for element in paths}
+            if len(fluids) != 1 + ("oil" in texts):
+                problems.append(f"{name}: fluids in the colours {fluids}")
+            water = [element.get("d") for element in paths]
             if not any(len(path) > 100 for path in water):
                 problems.append(f"{name}: no water in the picture")
             if file.stat().st_size > 3e6:

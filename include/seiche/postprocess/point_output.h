@@ -13,6 +13,7 @@ namespace seiche
    * "radius" is that of a ball to draw: half the edge of the cube (square)
    * with the volume of the point. VTU holds single precision, which cannot
    * carry a 64-bit id: it is split into three times 24 bits.
+   * "material" is there with several materials: the number in the scene's list.
    */
   template <int dim>
   class PointOutput : public Postprocessor<dim>

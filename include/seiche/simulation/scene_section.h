@@ -7,8 +7,6 @@
 
 #include <deal.II/base/point.h>
 
-#include <string>
-
 namespace seiche
 {
   /// What is cut where, and where on the paper it is drawn.
@@ -28,16 +26,6 @@ namespace seiche
                const std::vector<FluidBody<dim>> &bodies,
                const SectionView<dim>            &view,
                SvgCanvas                         &canvas);
-
-  struct LineStyle
-  {
-    std::string name, style;
-  };
-
-  /// How the side of the box is drawn: by its condition, or as a moving one.
-  template <int dim>
-  LineStyle
-  wall_style(const GridParameters<dim> &grid, const unsigned int side);
 } // namespace seiche
 
 #endif
