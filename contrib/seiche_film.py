@@ -50,7 +50,7 @@ def film(run, path, name, progress=None, **options):
     stage = make_stage(run, frames, name, **options)
     figure, axes = figure_for(stage)
     stage.draw(axes, stage.load(*frames[0]))
-    stage.colour_bar(figure, axes)
+    stage.draw_key(figure, axes)
     figure.canvas.draw()
     figure.set_layout_engine("none")  # nothing may move from here on
     place = axes.get_position()

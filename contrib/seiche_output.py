@@ -114,6 +114,20 @@ class Run:
                     names.append(name)
         return names
 
+    def fluids(self):
+        """{number: name} of the materials that bodies have, with the numbers of the
+        points' field "material". The Fluid, 0, has no name of its own: it has that of its
+        body, if that is the only one."""
+        bodies = {}
+        for body in self.instances("Fluid body"):
+            bodies.setdefault(self.parameter("Fluid body %s/Material" % body), []).append(body)
+        unnamed = bodies.get("", [])
+        names = {0: unnamed[0] if len(unnamed) == 1 else "fluid"} if unnamed else {}
+        for number, name in enumerate(self.instances("Material"), 1):
+            if name in bodies:
+                names[number] = name
+        return names
+
     def frames(self, kind):
         """[(time in s, file)] of kind "points", "grid", "surface" or "walls", from the
         PVD file."""

@@ -7,13 +7,14 @@ import numpy
 
 from seiche_output import field
 from seiche_simplices import clip_triangles, fans, without_needles
-from seiche_stage import COLOURS, SOLID, rectangle
+from seiche_stage import COLOURS, SOLID, draw_borders, fluid_colour, rectangle
 from seiche_water import NEEDLE, deposit, lattice_cells
 
 WIDTH = 12.0  # of a picture [inches]
 ARROWS = 45  # along a section
 FINEST = 500  # columns along a picture
 BESIDE = 0.005  # [cells] from an obstacle's face: NEAR_SIDE < BESIDE < NEEDLE / 2
+SEEN = 0.25  # depth [cells] of a fluid at its edge
 SAMPLES = 3  # heights a cell at which the depth's level is read
 
 
@@ -45,17 +46,23 @@ def lines_of(stage, water, width, d):
     return numpy.unique(numpy.concatenate([lines, both[(both > low) & (both < high)]]))
 
 
-def depth_of_water(water, places, low, high):
-    """Height [m] of water over each place [n, 2]: how much of the upright line between
-    two heights [m] lies inside the level."""
+def depth_of_water(frame, places, low, high):
+    """Height [m] of the water of a Frame over each place [n, 2]: how much of the upright
+    line between two heights [m] lies inside the level; and those of its fluids
+    [number, n]."""
+    water = frame.water
     n = max(2, int(numpy.ceil((high - low) / water.size * SAMPLES)))
     step = (high - low) / n
     result = numpy.zeros(len(places))
+    of_fluids = numpy.zeros((len(frame.fluids.names), len(places)))
     for k in range(n):
         height = numpy.full((len(places), 1), low + (k + 0.5) * step)
-        level = water.sample(numpy.hstack([places, height]))[0] * water.size
-        result += step * numpy.clip(0.5 - level / step, 0, 1)
-    return result
+        there = numpy.hstack([places, height])
+        level = water.sample(there)[0] * water.size
+        part = step * numpy.clip(0.5 - level / step, 0, 1)
+        result += part
+        of_fluids[frame.fluids.at(there), numpy.arange(len(there))] += part
+    return result, of_fluids
 
 
 def panels(number, lower, upper, directions):
@@ -90,23 +97,33 @@ def depth_picture(stage, frames, filename):
     width = max(frames[0].water.size / 2, (upper - lower)[:2].max() / FINEST)
     lines = [lines_of(stage, frames[0].water, width, d) for d in (0, 1)]
     places = numpy.stack(numpy.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, 2)
-    maps = [depth_of_water(f.water, places, lower[2], stage.high[2]) for f in frames]
+    maps, of_fluids = zip(*(depth_of_water(f, places, lower[2], stage.high[2]) for f in frames))
     highest = max(numpy.percentile(m[m > 0], 99.5) if m.any() else 0 for m in maps)
     corners, numbers = lattice_cells(lines, [len(line) - 1 for line in lines])
     figure, all_axes = panels(len(frames), lower, upper, (0, 1))
     image = plt.cm.ScalarMappable(plt.Normalize(0, max(highest, 1e-12)), "Blues")
-    for axes, frame, values in zip(all_axes, frames, maps):
+    for axes, frame, values, parts in zip(all_axes, frames, maps, of_fluids):
         values = values[numbers]
         dry = 0.02 * frame.water.size - values  # the water's edge
         filled = clip_triangles(*fans(numpy.dstack([corners, values]), dry))
         filled = without_needles(filled, NEEDLE * frame.water.size)
         fill(axes, filled, image)
+        draw_extents(axes, frame, lines, parts)
         for low, high in frame.walls.obstacles:
             rectangle(axes, low[:2], high[:2], fc=SOLID, ec="#333333", lw=0.8, zorder=3)
         axes.set_title("t = %.3f s" % frame.time, fontsize=10)
-    figure.colorbar(image, ax=list(all_axes), label="depth of the water [m]", extend="max", shrink=0.8)
+    what = "all fluids" if len(of_fluids[0]) > 1 else "the water"
+    figure.colorbar(image, ax=list(all_axes), label="depth of %s [m]" % what, extend="max", shrink=0.8)
     figure.savefig(filename, dpi=130, bbox_inches="tight")
     plt.close(figure)
+
+
+def draw_extents(axes, frame, lines, depths):
+    """Where there are fluids beside the first, seen from above: their edges and names."""
+    for number in numpy.flatnonzero(depths[1:].max(axis=1) > SEEN * frame.water.size) + 1:
+        edge = axes.contour(*lines, depths[number].reshape([len(line) for line in lines]).T,
+                            [SEEN * frame.water.size], colors=fluid_colour(number), linewidths=1.8)
+        axes.clabel(edge, fmt=lambda _, name=frame.fluids.names[number]: name, fontsize=9)
 
 
 def fill(axes, triangles, image):
@@ -177,6 +194,8 @@ def section_picture(stage, frames, y, filename):
     image = plt.cm.ScalarMappable(plt.Normalize(0, fastest), COLOURS["speed"])
     for axes, frame, (filled, x, v) in zip(all_axes, frames, cuts):
         fill(axes, filled, image)
+        there = in_plane(filled[:, :, :2].reshape(-1, 2), y).reshape(-1, 3, 3)
+        draw_borders(axes, frame.fluids, there, on_field=True, plane=(0, 2))
         if len(x):
             axes.quiver(*x.T, v[:, 0], v[:, 2], angles="xy", scale_units="xy", color="#f2a33a",
                         scale=fastest / (1.5 * step), width=0.0016)

@@ -49,6 +49,34 @@ def clip_triangles(corners, level):
     return numpy.concatenate(parts)
 
 
+def quartered(triangles):
+    """Triangles with attributes [n, 3, k] as four each, between the middles of their
+    edges [4 n, 3, k]."""
+    a, b, c = (triangles[:, i] for i in range(3))
+    ab, bc, ca = 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)
+    return numpy.concatenate([numpy.stack(part, axis=1) for part in (
+        (a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
+
+
+def cut_lines(corners, level):
+    """Where the level [n, 3] of triangles with attributes [n, 3, k] is zero: lines
+    [m, 2, k]."""
+    inside = level < 0
+    number = inside.sum(axis=1)
+    lines = []
+    for wanted in (1, 2):
+        c, l, i = (a[number == wanted] for a in (corners, level, inside))
+        odd = numpy.argmax(i == (wanted == 1), axis=1)
+        rows = numpy.arange(len(c))
+        ends = []
+        for turn in (1, 2):
+            other = (odd + turn) % 3
+            share = (l[rows, odd] / (l[rows, odd] - l[rows, other]))[:, None]
+            ends.append(c[rows, odd] + share * (c[rows, other] - c[rows, odd]))
+        lines.append(numpy.stack(ends, axis=1))
+    return numpy.concatenate(lines)
+
+
 def without_needles(triangles, thickness):
     """Triangles [n, 3, (x, y, ...)] without those thinner than [m]: matplotlib widens
     triangles to close the gaps between them; of needles that would be seen."""

@@ -88,7 +88,7 @@ def snapshots(run, path, name="pressure", times=(), scene=None, **options):
         axes.label_outer()
         if scene and hasattr(scene, "overlay_snapshot"):
             scene.overlay_snapshot(axes, time)
-    stage.colour_bar(figure, all_axes)
+    stage.draw_key(figure, all_axes)
     figure.savefig(path, dpi=DPI, bbox_inches="tight")
     plt.close(figure)
     return True

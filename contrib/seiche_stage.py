@@ -4,7 +4,7 @@ film of a run share, so that colours and scales are the same in all of them.
 
     stage = make_stage(run, frames, "pressure")    frames: [(time, file)] of the points
     stage.draw(axes, stage.load(time, file))
-    stage.colour_bar(figure, axes)
+    stage.draw_key(figure, axes)
 """
 
 import collections
@@ -13,11 +13,14 @@ import matplotlib.pyplot as plt
 import numpy
 from matplotlib.collections import EllipseCollection, LineCollection
 from matplotlib.colors import LinearSegmentedColormap, ListedColormap, to_rgb
+from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
+from seiche_fluids import Fluids
 from seiche_output import field, read_frame
+from seiche_simplices import without_needles
 from seiche_views import View
-from seiche_water import scalar, water_of
+from seiche_water import NEEDLE, scalar, water_of
 
 FIELDS = {"pressure": "pressure [Pa]", "speed": "speed [m/s]", "plain": None}
 COLOURS = {
@@ -26,6 +29,10 @@ COLOURS = {
         "water", ("#0b3c6f", "#1f6fb2", "#4da3d9", "#9fd3ec", "#e9f7fb")),
 }
 WATER = "#4b9cd3"  # without a field, or before there is one
+# of the first fluid of a scene, the second, ...; as in source/simulation/scene_styles.cc
+FLUIDS = (WATER, "#e0a030", "#4f9d69", "#9867ad", "#c65f46", "#85855a")
+EDGE = "#0b2a45"  # of a fluid
+LABEL = {"boxstyle": "round,pad=0.2", "fc": EDGE, "ec": "none", "alpha": 0.7}  # of its name
 SOLID = "#8b8b8b"
 SAMPLED = 20  # frames that limits and extents are taken from
 VIEW = (-0.8, -1.6, 1.0)  # direction to the eye, 3D
@@ -34,8 +41,8 @@ SILENT = 1e-9  # [Pa] round-off, not a pressure
 TICK = 45  # pixels along an edge from label to label at least, 3D
 BALL = 1.25  # drawn radius of a drop over half the edge of its point
 
-# time [s], points (read_frame), their water, Walls, whether there is a pressure
-Frame = collections.namedtuple("Frame", "time points water walls known")
+# time [s], points (read_frame), their water, its Fluids, Walls, whether there is a pressure
+Frame = collections.namedtuple("Frame", "time points water fluids walls known")
 
 
 def sampled(frames, number):
@@ -43,6 +50,11 @@ def sampled(frames, number):
     if len(frames) <= number:
         return list(frames)
     return [frames[i] for i in numpy.rint(numpy.linspace(0, len(frames) - 1, number)).astype(int)]
+
+
+def usual_field(run, usual):
+    """What a picture is coloured by, unless asked for: several fluids are told apart."""
+    return "plain" if len(run.fluids()) > 1 else usual
 
 
 def is_known(name, time, points):
@@ -55,7 +67,7 @@ class Stage:
     """Limits of the colours, the walls of all times and the room that is shown."""
 
     def __init__(self, run, frames, name):
-        self.run, self.name, self.dim = run, name, run.dim
+        self.run, self.name, self.dim, self.shows_fluids = run, name, run.dim, False
         low, high, limits = [], [], []
         for time, path in sampled(frames, SAMPLED):
             points = read_frame(path)
@@ -85,21 +97,31 @@ class Stage:
     def load(self, time, path):
         points = read_frame(path)
         points["points"] = points["points"].astype(float)
-        return Frame(time, points, water_of(self.run, time, points), self.run.walls_at(time),
-                     is_known(self.name, time, points))
+        walls = self.run.walls_at(time)
+        return Frame(time, points, water_of(self.run, time, points),
+                     Fluids(self.run, points, walls), walls, is_known(self.name, time, points))
 
-    def colour_bar(self, figure, axes, **options):
-        """The bar that all pictures share, none for plain water."""
+    def draw_key(self, figure, axes, **options):
+        """The bar that all pictures share, none for plain water; names of several fluids
+        where they have been drawn in their own colours."""
         if FIELDS[self.name]:
             mappable = plt.cm.ScalarMappable(plt.Normalize(*self.limits), COLOURS[self.name])
             extend = "both" if self.limits[0] < 0 else "max"
             figure.colorbar(mappable, ax=axes, label=FIELDS[self.name], extend=extend,
                             **{"shrink": 0.8, "aspect": 30, **options})
+        names = list(self.run.fluids().values())
+        if len(names) > 1 and self.shows_fluids:
+            place = {"loc": "outside lower center", "ncols": len(names)} if FIELDS[self.name] else {
+                "loc": "outside right center"}  # where the bar would be
+            figure.legend([Patch(fc=fluid_colour(n), ec=EDGE, lw=0.6) for n in range(len(names))],
+                          names, frameon=False, **place)
 
-    def colours(self, frame, values):
-        """Colours [n, 3] of values."""
+    def colours(self, frame, values, fluids):
+        """Colours [n, 3] of values [n] in fluids of these numbers [n]."""
         if not frame.known:
-            return numpy.tile(to_rgb(WATER), (len(values), 1))
+            self.shows_fluids = True
+            palette = numpy.array([to_rgb(fluid_colour(n)) for n in range(fluids.max(initial=0) + 1)])
+            return palette[fluids]
         return COLOURS[self.name](plt.Normalize(*self.limits)(values))[:, :3]
 
     def field_of(self, frame):
@@ -107,10 +129,10 @@ class Stage:
         return self.name if frame.known else "speed"
 
     def drops(self, frame):
-        """Centres, half edges and values of the points outside the water."""
+        """Centres, half edges, values and fluids of the points outside the water."""
         loose = frame.water.spray(frame.points["points"])
         return (frame.points["points"][loose], field(frame.points, "radius")[loose].astype(float),
-                scalar(frame.points, self.field_of(frame))[loose])
+                scalar(frame.points, self.field_of(frame))[loose], frame.fluids.of_point[loose])
 
     def pistons(self, walls, thickness):
         """Boxes [(lower, upper)] behind the sides that move, as thick as [m]."""
@@ -154,24 +176,34 @@ class Stage2D(Stage):
         self.prepare(axes)
         axes.set_title("t = %.3f s" % frame.time, fontsize=10)
         corners, values = frame.water.triangles(self.field_of(frame))
-        if len(corners):
-            numbers = numpy.arange(3 * len(corners)).reshape(-1, 3)
-            colours = self.colours(frame, values.ravel())
-            if frame.known:
-                axes.tripcolor(*corners.reshape(-1, 2).T, numbers, values.ravel(), shading="gouraud",
-                               cmap=COLOURS[self.name], vmin=self.limits[0], vmax=self.limits[1],
-                               rasterized=True)
-            else:
-                axes.tripcolor(*corners.reshape(-1, 2).T, numbers, numpy.zeros(values.size),
-                               shading="gouraud", cmap=ListedColormap([colours[0]]),
-                               rasterized=True)
-        centres, radii, values = self.drops(frame)
+        if frame.known:
+            self.fill(axes, corners, values, cmap=COLOURS[self.name], vmin=self.limits[0],
+                      vmax=self.limits[1])
+        else:
+            self.fill_plain(axes, frame, corners)
+        draw_borders(axes, frame.fluids, corners, on_field=frame.known)
+        centres, radii, values, fluids = self.drops(frame)
         size = 2 * BALL * radii
         axes.add_collection(EllipseCollection(
             size, size, numpy.zeros(len(size)), units="xy", offsets=centres[:, :2],
-            offset_transform=axes.transData, facecolors=self.colours(frame, values), lw=0))
-        axes.add_collection(LineCollection(frame.water.outline(), colors="#0b2a45", linewidths=0.9))
+            offset_transform=axes.transData, facecolors=self.colours(frame, values, fluids), lw=0))
+        axes.add_collection(LineCollection(frame.water.outline(), colors=EDGE, linewidths=0.9))
         self.draw_walls(axes, frame.walls)
+
+    def fill_plain(self, axes, frame, corners):
+        """Each fluid in its colour."""
+        for number, part in frame.fluids.divided(corners):
+            if frame.fluids.are_several:
+                part = without_needles(part, NEEDLE * frame.water.size)
+            colour = self.colours(frame, numpy.zeros(1), numpy.array([number]))[0]
+            self.fill(axes, part, numpy.zeros(part.shape[:2]), cmap=ListedColormap([colour]))
+
+    @staticmethod
+    def fill(axes, corners, values, **colours):
+        """Triangles [n, 3, 2] by values [n, 3]."""
+        if len(corners):
+            axes.tripcolor(*corners.reshape(-1, 2).T, numpy.arange(3 * len(corners)).reshape(-1, 3),
+                           values.ravel(), shading="gouraud", rasterized=True, **colours)
 
     def draw_walls(self, axes, walls):
         t = self.thickness
@@ -223,14 +255,29 @@ class Stage3D(Stage):
             (high if side else low)[d] += (2 * side - 1) * self.thickness
         return View(low, high, self.eye, width, cut)
 
+    def skin(self, frame):
+        """Corners and normals [n, 3, 3], values [n, 3] and numbers of fluids [n]."""
+        corners, normals, values = frame.water.skin(frame.walls, self.field_of(frame))
+        parts = frame.fluids.divided(numpy.dstack([corners, normals, values]))
+        numbers = numpy.concatenate([numpy.full(len(part), number) for number, part in parts])
+        skin = numpy.concatenate([part for _, part in parts])
+        return skin[:, :, :3], skin[:, :, 3:6], skin[:, :, 6], numbers
+
+    def bodies(self, frame):
+        """Corners and normals [n, 3, 3] of fluids inside the water, and their numbers [n];
+        none where a field has the colours."""
+        if frame.known or not frame.fluids.are_several:
+            return numpy.zeros((0, 3, 3)), numpy.zeros((0, 3, 3)), numpy.zeros(0, int)
+        return frame.fluids.bodies(frame.water)
+
     def image(self, frame):
         """The View and its picture [rows, columns, 3]."""
         view = self.view(frame.walls)
-        skin = frame.water.skin(frame.walls, self.field_of(frame))
-        centres, radii, values = self.drops(frame)
+        centres, radii, values, fluids = self.drops(frame)
         return view, view.water_picture(
-            skin, (centres, BALL * radii, values), lambda v: self.colours(frame, v),
-            opacity=0.92 if frame.known else 0.85)
+            self.skin(frame), self.bodies(frame), (centres, BALL * radii, values, fluids),
+            lambda v, n: self.colours(frame, v, n), opacity=0.92 if frame.known else 0.85,
+            light_borders=frame.known)
 
     def prepare(self, axes):
         axes.set_axis_off()
@@ -248,6 +295,27 @@ class Stage3D(Stage):
         view.draw(axes, image, ticks)
         view.draw_rim(axes, view.lower, view.upper)
         axes.set_title("t = %.3f s" % frame.time, fontsize=10)
+
+
+def fluid_colour(number):
+    return FLUIDS[number % len(FLUIDS)]
+
+
+def draw_borders(axes, fluids, triangles, on_field, plane=(0, 1)):
+    """Between fluids in triangles [n, 3, dim] of a plane; on a field they are seen in the
+    dark and the bright, and the fluids are named."""
+    lines = fluids.borders(triangles)[:, :, plane]
+    for colour, width in (("white", 2.2),) * on_field + ((EDGE, 0.9),):
+        axes.add_collection(LineCollection(lines, colors=colour, linewidths=width, zorder=1.9))
+    for number, part in fluids.divided(triangles) if on_field and fluids.are_several else ():
+        part = part[:, :, plane]
+        if len(part):
+            centres = part.mean(axis=1)
+            a, b = part[:, 1] - part[:, 0], part[:, 2] - part[:, 0]
+            area = abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) + 1e-300
+            away = numpy.linalg.norm(centres - numpy.average(centres, axis=0, weights=area), axis=1)
+            axes.text(*centres[away.argmin()], fluids.names[number], ha="center", va="center",
+                      fontsize=8, color="white", bbox=LABEL)
 
 
 def rectangle(axes, low, high, **style):

@@ -9,6 +9,8 @@ LIGHT = numpy.array([-0.45, 0.55, 0.70])  # right, up, towards the eye
 GROUND, WALL = numpy.array([0.94, 0.92, 0.88]), numpy.array([0.62, 0.60, 0.58])
 GLASS = numpy.array([0.955, 0.965, 0.975])  # the sides of the tank behind the water
 SAMPLES = 1 << 21  # pixels of triangles that are worked on at once
+BORDER = numpy.array([0.04, 0.16, 0.27])  # between fluids
+CLEAR = 0.5  # opacity of a fluid before another one
 GLOSS, SHININESS = 0.28, 36  # of the water
 SHADOW = numpy.array([1.15, 0.9, 0.5])  # what it takes from red, green and blue
 
@@ -180,20 +182,28 @@ class View:
         shadow = (1 - diffuse)[:, None] * SHADOW
         return numpy.clip(colours * (1 - shadow) + gloss[:, None], 0, 1)
 
-    def water_picture(self, skin, drops, colour_of, opacity=0.9):
+    def water_picture(self, skin, bodies, drops, colour_of, opacity=0.9,
+                      light_borders=False):
         """Image [rows, columns, 3], first row at the bottom: a skin (corners, normals
-        [n, 3, 3], values [n, 3]) and drops (centres [n, 3], radii, values [n]);
-        colour_of turns values into colours [n, 3]. Through the water one sees a
-        little of what is behind it."""
+        [n, 3, 3], values [n, 3], fluids [n]) and drops (centres [n, 3], radii, values,
+        fluids [n]), and bodies of further fluids inside (corners, normals, fluids);
+        colour_of turns values and fluids into colours [n, 3]. Through the water one sees a
+        little of what is behind it; light borders are seen in the dark, too."""
         image = self.background.copy()
         wall = numpy.isfinite(self.walls)
         image[wall] = self.wall_colours[wall]
-        corners, normals, values = skin
-        water, found = self.triangles(corners, numpy.dstack([normals @ self.axes.T, values]))
+        corners, normals, values, fluids = skin
+        fluids = numpy.broadcast_to(fluids[:, None], values.shape)
+        water, found = self.triangles(corners, numpy.dstack([normals @ self.axes.T, values, fluids]))
         wet = numpy.isfinite(water) & (water > self.walls)
-        shown = self.shade(colour_of(found[wet][:, 3]), found[wet][:, :3])
-        image[wet] += opacity * (shown - image[wet])
-        centres, radii, at_drops = drops
+        fluid = numpy.where(wet, numpy.rint(found[:, :, 4]), -1).astype(int)
+        shown = self.shade(colour_of(found[wet][:, 3], fluid[wet]), found[wet][:, :3])
+        opacity = numpy.full(self.shape, opacity)
+        self.show_bodies(image, opacity, bodies, water, fluid, colour_of)
+        image[wet] += opacity[wet][:, None] * (shown - image[wet])
+        for border, colour in zip(self.borders(fluid), (BORDER, 1.0 if light_borders else BORDER)):
+            image[border] = colour
+        centres, radii, at_drops, fluids = drops
         if len(centres):
             ball, owner = self.balls(centres, radii)
             nearest = numpy.maximum(self.walls, numpy.where(wet, water, -numpy.inf))
@@ -202,9 +212,30 @@ class View:
             row, column = numpy.nonzero(dropped)
             there = numpy.stack([self.low[0] + (column + 0.5) * self.pixel,
                                  self.low[1] + (row + 0.5) * self.pixel, ball[dropped]], axis=1)
-            image[dropped] = self.shade(colour_of(at_drops[number]),
+            image[dropped] = self.shade(colour_of(at_drops[number], fluids[number]),
                                         there - self.project(centres[number]))
         return self.averaged(image)
+
+    def show_bodies(self, image, opacity, bodies, water, fluid, colour_of):
+        """Fluids inside the water, seen through those with smaller numbers, whose opacity
+        is less there."""
+        corners, normals, numbers = bodies
+        nearest = numpy.where(fluid >= 0, self.walls, numpy.inf)
+        for number in numpy.unique(numbers):
+            own = numbers == number
+            inside, found = self.triangles(corners[own], normals[own] @ self.axes.T)
+            seen = (inside > nearest) & (inside < water) & (fluid < number)
+            count = int(seen.sum())
+            colours = colour_of(numpy.zeros(count), numpy.full(count, number))
+            image[seen] = self.shade(colours, found[seen])
+            opacity[seen] = CLEAR
+            nearest[seen] = inside[seen]
+
+    def borders(self, fluid):
+        """Pixels [rows, columns] beside fluids of greater and of smaller numbers; -1: none."""
+        others = [shifted(fluid, *way) for way in ((0, 1), (0, -1), (1, 0), (-1, 0))]
+        return ((fluid >= 0) & numpy.any([o > fluid for o in others], axis=0),
+                numpy.any([(o >= 0) & (o < fluid) for o in others], axis=0))
 
     def averaged(self, image):
         """Of the fine pixels."""

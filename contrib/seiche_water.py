@@ -13,7 +13,7 @@ import numpy
 
 from seiche_output import field, read_frame
 from seiche_simplices import (
-    clip_triangles, fans, smooth_normals, surface_of_tetrahedra, tetrahedra, without_needles)
+    clip_triangles, cut_lines, fans, smooth_normals, surface_of_tetrahedra, tetrahedra, without_needles)
 
 LEVEL = "level set [cells]"
 VTK_ORDER = {2: [0, 1, 3, 2], 3: [0, 1, 3, 2, 4, 5, 7, 6]}  # to bit order
@@ -41,8 +41,7 @@ def water_of(run, time, points):
     if LEVEL in frame and numpy.any(frame[LEVEL] < 0):
         seams = {d: (walls.lower[d], walls.upper[d]) for d in run.periodic()}
         return Water.of_grid(frame, run.dim, seams)
-    per_cell = run.numbers("Points/Per cell and direction")
-    return Water.of_points(points, walls, run.dim, max(1.0, 0.5 * sum(per_cell)))
+    return Water.of_points(points, walls, run.dim, half_cell(run))
 
 
 def deposit(places, sizes, lines, weights):
@@ -84,6 +83,27 @@ def to_nodes(values):
         values = 0.5 * (numpy.take(padded, range(n), axis=d)
                         + numpy.take(padded, range(1, n + 1), axis=d))
     return values
+
+
+def lattice_about(x, sizes, wide, walls):
+    """Lines, one array a direction, about points [n, dim] between the walls, and the width
+    between them at most about: `wide` times that of a point [m]."""
+    dim = x.shape[1]
+    width = max(wide * float(numpy.percentile(sizes, 95)), (numpy.prod(numpy.ptp(x, axis=0)) / LARGEST)**(1 / dim))
+    lines = []
+    for d in range(dim):
+        low, high = walls.lower[d], walls.upper[d]
+        line = numpy.linspace(low, high, max(1, int((high - low) / width)) + 1)
+        step = line[1] - line[0]
+        used = (line > x[:, d].min() - 4 * step) & (line < x[:, d].max() + 4 * step)
+        lines.append(line[used])
+    return lines, width
+
+
+def half_cell(run):
+    """That of a run over the width of a point."""
+    per_cell = run.numbers("Points/Per cell and direction")
+    return max(1.0, 0.5 * sum(per_cell))
 
 
 def lattice_cells(lines, shape):
@@ -154,14 +174,7 @@ class Water:
         rows of points apart; full where points take more than half of the room that the
         obstacles leave."""
         x, sizes = frame["points"][:, :dim].astype(float), 2.0 * field(frame, "radius").astype(float)
-        width = max(wide * float(numpy.percentile(sizes, 95)), (numpy.prod(numpy.ptp(x, axis=0)) / LARGEST)**(1 / dim))
-        lines = []
-        for d in range(dim):
-            low, high = walls.lower[d], walls.upper[d]
-            line = numpy.linspace(low, high, max(1, int((high - low) / width)) + 1)
-            step = line[1] - line[0]
-            used = (line > x[:, d].min() - 4 * step) & (line < x[:, d].max() + 4 * step)
-            lines.append(line[used])
+        lines, width = lattice_about(x, sizes, wide, walls)
         sizes = numpy.minimum(sizes, width)
         volume = numpy.prod([line[1] - line[0] for line in lines])
         corners, numbers = lattice_cells(lines, [len(line) - 1 for line in lines])
@@ -204,21 +217,7 @@ class Water:
     def outline(self):
         """In 2D: the free surface as lines [n, 2, 2] [m]."""
         cut = (self.level.min(axis=1) < 0) & (self.level.max(axis=1) >= 0)
-        corners, level = fans(self.corners[cut], self.level[cut])
-        inside = level < 0
-        number = inside.sum(axis=1)
-        lines = []
-        for wanted in (1, 2):
-            c, l, i = (a[number == wanted] for a in (corners, level, inside))
-            odd = numpy.argmax(i == (wanted == 1), axis=1)
-            rows = numpy.arange(len(c))
-            ends = []
-            for turn in (1, 2):
-                other = (odd + turn) % 3
-                share = (l[rows, odd] / (l[rows, odd] - l[rows, other]))[:, None]
-                ends.append(c[rows, odd] + share * (c[rows, other] - c[rows, odd]))
-            lines.append(numpy.stack(ends, axis=1))
-        return numpy.concatenate(lines)
+        return cut_lines(*fans(self.corners[cut], self.level[cut]))
 
     def skin(self, walls, name):
         """What is seen from outside, the free surface and the wetted walls: corners

@@ -28,8 +28,10 @@ matplotlib.use("Agg")
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CONTRIB = ROOT / "contrib"
 SCENES = ROOT / "tests" / "scene"
+LAYERS = ROOT / "tests" / "pictures" / "layers.prm"
 sys.path.insert(0, str(CONTRIB))
 from seiche_output import Run, Walls, field, read_frame  # noqa: E402
+import seiche_fluids  # noqa: E402
 import seiche_pyvista  # noqa: E402
 import seiche_simplices  # noqa: E402
 import seiche_snapshots  # noqa: E402
@@ -82,7 +84,10 @@ def size_of_points(points, dim):
 
 
 def area(water):
-    corners, _ = water.triangles("speed")
+    return area_of(water.triangles("speed")[0])
+
+
+def area_of(corners):
     a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     return float(0.5 * abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum())
 
@@ -189,6 +194,47 @@ def space(seiche, folder):
     picture(made[2])
 
 
+def words_of(folder, *options):
+    """Of the texts in the snapshots."""
+    call("plot_run", folder, "-o", f"{folder}/words.svg", *options)
+    return set(re.findall("<!-- (.*?) -->", pathlib.Path(folder, "words.svg").read_text(encoding="utf-8")))
+
+
+def fluids(seiche, folder):
+    """Oil on water: each fluid has its part, its colour and its name, in 2D and 3D; with one
+    fluid nothing is named."""
+    blue, amber = seiche_stage.FLUIDS[:2]
+    assert blue == seiche_stage.WATER
+    flat_run = simulate(seiche, f"{folder}/2d", LAYERS, 0.02, 0.02)
+    assert flat_run.fluids() == {1: "water", 3: "oil"}, flat_run.fluids()
+    water, cloud, there, _ = last_water(flat_run)
+    held = seiche_fluids.Fluids(flat_run, cloud, there)
+    corners, _ = water.triangles("speed")
+    areas = [area_of(part) for _, part in held.divided(corners)]
+    assert numpy.allclose(areas, (0.5 * 0.23, 0.5 * 0.12), rtol=0.03), areas
+    border = held.borders(corners)
+    assert numpy.ptp(border[:, :, 0]) > 0.49 and abs(border[:, :, 1] - 0.23).max() < 0.01, border
+    call("plot_run", f"{folder}/2d", "-o", f"{folder}/plain.png", "--times", "0.02")
+    pixels = picture(f"{folder}/plain.png")
+    shares = [share_near(pixels, colour, 0.03) for colour in (blue, amber)]
+    assert shares[1] > 0.1 and abs(shares[0] - 0.23 / 0.12 * shares[1]) < 0.02, shares
+    for options in ((), ("--field", "speed")):
+        assert {"water", "oil"} <= words_of(f"{folder}/2d", "--times", "0.02", *options), options
+
+    solid = simulate(seiche, f"{folder}/3d", "materials_3d.prm", 0.3, 0.3)
+    assert solid.fluids() == {0: "pool", 1: "oil"}, solid.fluids()
+    made = call("pictures", f"{folder}/3d", "--times", "0.3").split()
+    shares = [share_near(picture(made[0]), colour, 0.2) for colour in (blue, amber)]
+    assert min(shares) > 0.02, shares
+    # some of the oil is inside the water
+    water, cloud, there, _ = last_water(solid)
+    bodies, _, numbers = seiche_fluids.Fluids(solid, cloud, there).bodies(water)
+    assert len(bodies) > 50 and set(numbers) == {1}, len(bodies)
+
+    simulate(seiche, f"{folder}/one", "dam_break.prm", 0.02, 0.02)
+    assert "column" not in words_of(f"{folder}/one", "--field", "plain")
+
+
 def points(seiche, folder):
     """Without a level set the water is where points fill the space."""
     flat_run = simulate(seiche, f"{folder}/2d", "dam_break.prm", 0.3, 0.1,
@@ -279,7 +325,8 @@ def state(seiche, folder):
     for kind in ("points", "grid", "surface", "walls"):
         assert f'"{kind}"' in text, kind
         fields |= set(read_frame(run.frames(kind)[0][1]))
-    named = set(re.findall(r'"([^"\n]*\[[^"\n]*\])"', text)) - {"speed [m/s]"}
+    assert field(read_frame(run.frames("points")[0][1]), "material") is None  # a single one
+    named = set(re.findall(r'"([^"\n]*\[[^"\n]*\])"', text)) - {"speed [m/s]", "material [-]"}
     assert len(named) == 5 and named <= fields, (named, fields)
 
 
@@ -318,9 +365,7 @@ def download(seiche, folder):
     assert not os.listdir(folder)
 
 
-def paraview(seiche, folder):
-    """ParaView opens the state and draws water, obstacle and walls."""
-    simulate(seiche, folder, "piston_2d.prm", 0.5, 0.25)
+def seen_by_paraview(folder):
     command = ["xvfb-run", "-a", "pvpython", f"{folder}/paraview_state.py", f"{folder}/seen.png"]
     for attempt in range(3):
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
@@ -328,10 +373,20 @@ def paraview(seiche, folder):
         if "bad X server connection" not in done.stdout:  # of xvfb-run beside others
             break
     assert done.returncode == 0 and "Traceback" not in done.stdout, done.stdout
-    pixels = picture(f"{folder}/seen.png")
+    return picture(f"{folder}/seen.png")
+
+
+def paraview(seiche, folder):
+    """ParaView opens the state and draws water, obstacle and walls, and several fluids."""
+    simulate(seiche, f"{folder}/piston", "piston_2d.prm", 0.5, 0.25)
+    pixels = seen_by_paraview(f"{folder}/piston")
     coloured = (numpy.ptp(pixels, axis=2) > 0.25).mean()
     assert coloured > 0.05, coloured
     assert share_near(pixels, (0.55, 0.55, 0.55), 0.05) > 1e-4
+    simulate(seiche, f"{folder}/layers", LAYERS, 0.02, 0.02)
+    pixels = seen_by_paraview(f"{folder}/layers")
+    shares = [share_near(pixels, seiche_stage.FLUIDS[n], 0.03) for n in (1, 3)]  # of the materials
+    assert min(shares) > 0.03, shares
 
 
 def main():
