@@ -156,7 +156,7 @@ namespace seiche
       }
     state.time = time_stepper.time();
     effort     = {};
-    double speed; // [1/s]
+    double speed, error; // [1/s], [cells]
     {
       const TimerTree::Scope scope_size(timer, "step size");
       speed    = speed_per_cell();
@@ -169,9 +169,14 @@ namespace seiche
           keeping_evidence([&]() { return try_step(); });
         if (failure.empty())
           {
-            if (!time_stepper.is_accurate(step_error(), state.dt))
-              continue;
-            if (time_stepper.is_at_least_size())
+            error                      = step_error();
+            const ErrorVerdict verdict = time_stepper.judge(error);
+            if (verdict == ErrorVerdict::too_large)
+              {
+                state.dt = time_stepper.repeat_for_error(error);
+                continue;
+              }
+            if (verdict == ErrorVerdict::accepted_at_least_size)
               report.warn("the error of a step exceeds Time/Error tolerance at "
                           "the smallest size it is cut to",
                           fmt::format("t = {:.6g} s, {:.3g} s",
@@ -189,7 +194,7 @@ namespace seiche
       const TimerTree::Scope scope_back(timer, "grid to points");
       move_points(speed);
     }
-    time_stepper.accept();
+    time_stepper.accept(error);
     material_is_found = points_are_controlled = false;
     return true;
   }

@@ -201,38 +201,51 @@ namespace seiche
     return dt;
   }
 
-  bool
-  TimeStepper::is_accurate(const double error, double &step_size)
+  double
+  TimeStepper::allowed_error() const
   {
-    if (!parameters.controls_error())
-      return true;
-    // the local error grows with dt^3, its share of the tolerance with dt
-    const double allowed = parameters.error_tolerance * dt;
-    // an error that is no number cuts the step
+    return parameters.error_tolerance * dt;
+  }
+
+  double
+  TimeStepper::size_for_error(const double error) const
+  {
+    // the local error grows with dt^3, its share of the tolerance with dt; an
+    // error that is no number cuts the step
     const double factor =
       std::min(largest_growth,
-               std::max(largest_cut, safety * std::sqrt(allowed / error)));
-    const bool is_small = error <= repeat_above * allowed;
-    at_least_size       = !is_small && dt <= least_accurate;
-    const bool stays    = is_small || at_least_size;
-    wanted_dt           = std::max(factor * dt, least_accurate);
-    if (stays)
-      step_error = error;
-    else
-      {
-        ++n_rejected;
-        step_size = dt = wanted_dt;
-      }
-    return stays;
+               std::max(largest_cut,
+                        safety * std::sqrt(allowed_error() / error)));
+    return std::max(factor * dt, least_accurate);
+  }
+
+  ErrorVerdict
+  TimeStepper::judge(const double error) const
+  {
+    if (!parameters.controls_error() || error <= repeat_above * allowed_error())
+      return ErrorVerdict::accepted;
+    return dt <= least_accurate ? ErrorVerdict::accepted_at_least_size :
+                                  ErrorVerdict::too_large;
+  }
+
+  double
+  TimeStepper::repeat_for_error(const double error)
+  {
+    ++n_rejected;
+    wanted_dt = size_for_error(error);
+    return dt = wanted_dt;
   }
 
   void
-  TimeStepper::accept()
+  TimeStepper::accept(const double error)
   {
+    if (parameters.controls_error())
+      {
+        wanted_dt = size_for_error(error);
+        error_sum += error;
+      }
     now += dt;
     previous_dt = dt;
-    error_sum += step_error;
-    step_error = 0.;
     ++n_steps;
     if (reduction < 1. && ++good_steps >= steps_before_growth)
       {

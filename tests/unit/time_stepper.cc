@@ -11,8 +11,11 @@
 
 namespace
 {
+  using seiche::ErrorVerdict;
   using seiche::TimeStepParameters;
   using seiche::TimeStepper;
+
+  constexpr double large_error = 1.; // [cells]
 
   TimeStepParameters
   make_parameters(const std::string &control)
@@ -38,9 +41,7 @@ namespace
         if (step == 2)
           for (unsigned int i = 0; i < 2; ++i)
             dt = stepper.repeat("as a test");
-        double same = dt;
-        stepper.is_accurate(/*error=*/1e-6, same);
-        stepper.accept();
+        stepper.accept(/*error=*/1e-6);
         std::cout << ' ' << dt;
       }
     std::cout << '\n';
@@ -55,10 +56,10 @@ namespace
     TimeStepper stepper(parameters, "Try this.");
     for (unsigned int step = 0; step < 20; ++step)
       {
-        double dt = stepper.next_step(speed_per_cell);
-        while (!stepper.is_accurate(/*error=*/1., dt))
-          ;
-        stepper.accept();
+        stepper.next_step(speed_per_cell);
+        while (stepper.judge(large_error) == ErrorVerdict::too_large)
+          stepper.repeat_for_error(large_error);
+        stepper.accept(large_error);
       }
     std::cout << "noise, smallest step " << minimum_step << ", speed "
               << speed_per_cell << ": size " << stepper.previous_step()
@@ -75,14 +76,15 @@ namespace
     for (unsigned int step = 0; step < 20; ++step)
       {
         double dt = stepper.next_step(/*speed_per_cell=*/0.1);
-        do
-          while (step > 8 && dt > 0.011)
-            {
+        while (true)
+          {
+            for (; step > 8 && dt > 0.011; ++failures)
               dt = stepper.repeat("as a test");
-              ++failures;
-            }
-        while (!stepper.is_accurate(/*error=*/1., dt));
-        stepper.accept();
+            if (stepper.judge(large_error) != ErrorVerdict::too_large)
+              break;
+            dt = stepper.repeat_for_error(large_error);
+          }
+        stepper.accept(large_error);
       }
     std::cout << "failures at the least size: " << failures << ", last step "
               << stepper.previous_step() << '\n';
@@ -103,7 +105,7 @@ namespace
         const double dt = stepper.next_step(/*speed_per_cell=*/0.1);
         smallest        = std::min(smallest, dt);
         largest         = std::max(largest, dt);
-        stepper.accept();
+        stepper.accept(/*error=*/0.);
       }
     std::cout << control << ", " << end_time << " in steps of " << step << ": "
               << n << " of " << smallest / step << " to " << largest / step

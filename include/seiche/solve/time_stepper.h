@@ -61,6 +61,14 @@ namespace seiche
     }
   };
 
+  /// What the local error of a step says of its size.
+  enum class ErrorVerdict
+  {
+    accepted,
+    accepted_at_least_size, ///< too large, but no size below would help
+    too_large
+  };
+
   /**
    * @brief Size of the next step: fixed, from the CFL number or from the error
    * of the steps before, halved after a failure, restored by and by.
@@ -89,11 +97,14 @@ namespace seiche
     double
     repeat(const std::string &reason);
 
-    /// May a step with this local error [cells] stay? Always, unless the error
-    /// is controlled. Decides on the size of the next step, or of this one's
-    /// repetition, which it returns in @p step_size [s].
-    bool
-    is_accurate(const double error, double &step_size);
+    /// Of a step with this local error [cells]; accepted unless the error is
+    /// controlled.
+    ErrorVerdict
+    judge(const double error) const;
+
+    /// The local error [cells] is too large: the size of the repetition [s].
+    double
+    repeat_for_error(const double error);
 
     /// True if the step that starts has been tried with a larger size.
     bool
@@ -102,16 +113,10 @@ namespace seiche
       return dt < first_tried;
     }
 
-    /// True if the last step stayed because the error may not cut it further.
-    bool
-    is_at_least_size() const
-    {
-      return at_least_size;
-    }
-
-    /// The step of next_step(), repeat() or is_accurate() is done.
+    /// The step of next_step() or its last repetition is done, with this local
+    /// error [cells] if it is controlled.
     void
-    accept();
+    accept(const double error);
 
     /// Where the run is, for a checkpoint. Local.
     void
@@ -151,6 +156,15 @@ namespace seiche
     double
     smallest_step() const;
 
+    /// [cells] that a step of this size may add to the error.
+    double
+    allowed_error() const;
+
+    /// [s] at which the next step would meet the tolerance, by the error
+    /// [cells] of this one.
+    double
+    size_for_error(const double error) const;
+
     const TimeStepParameters parameters;
     const std::string        advice;
     double                   now         = 0.; ///< [s] start of the step
@@ -159,14 +173,12 @@ namespace seiche
     double                   previous_dt = 0.; ///< [s] of the step before
     double                   wanted_dt = 0.; ///< [s] by the error; 0: none yet
     double least_accurate = 0.; ///< [s] the error cuts a step to this at most
-    double step_error     = 0.; ///< [cells] of the step
     double error_sum      = 0.; ///< [cells] of the steps before
     double reduction      = 1.; ///< of limit, after failures
     double limit          = 0.; ///< [s] by Step and CFL number
     /// [s] of steps that the error controls, while reduction < 1
     double       largest_after_failure = 0.;
-    bool         at_least_size         = false; ///< is_at_least_size()
-    unsigned int good_steps            = 0;     ///< since the last failure
+    unsigned int good_steps            = 0; ///< since the last failure
     unsigned int n_steps               = 0;
     unsigned int n_rejected            = 0;
   };
