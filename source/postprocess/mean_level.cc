@@ -29,7 +29,7 @@ namespace seiche
         return;
       }
     // no fluid, or all of it in flight, but for round-off
-    const double cell         = std::pow(view.smallest_extent, dim - 1);
+    const double cell = std::pow(view.occupancy.smallest_extent(), dim - 1);
     const auto [lower, upper] = view.box.get_boundary_points();
     double bottom             = 1.; // its area
     for (unsigned int d = 0; d + 1 < dim; ++d)

@@ -40,43 +40,13 @@ namespace seiche
                               TimerTree         &run_timer,
                               std::unique_ptr<const Checkpoint> checkpoint)
     : scene(planned.scene)
-    , bodies(planned.bodies)
     , directory(output_directory)
     , communicator(MPI_COMM_WORLD)
     , report(run_report)
     , timer(run_timer)
     , start(std::move(checkpoint))
-    , wall_motion(scene.grid, scene.input, scene.time.end_time)
-    , grid(scene.grid, communicator)
-    , locator(grid)
-    , time_scheme(make_time_scheme<dim>(scene.time_scheme,
-                                        scene.fluid.is_incompressible()))
-    , formulation(
-        make_formulation<dim>(scene.formulation, scene.fluid.volume_law))
-    , points(locator, point_columns(), communicator)
-    , seeding(fill_points(start.get()))
-    , mesh_adaptation(grid, locator, points, scene.quadrature.has_surface())
-    , occupancy(locator, scene.formulation.degree)
-    , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
-    , materials(scene.materials, occupancy)
-    , density_projection(fill, scene.point_control.density_rate)
-    , point_control(scene.point_control, points, occupancy, fill)
-    , tank_motion(scene.make_tank_motion())
-    , body_force(scene.body_force, tank_motion, scene.input)
-    , transfer(scene.transfer, fill, materials, scene.volume_update())
-    , volume_from_pressure(scene.volume_update() ==
-                           VolumeUpdate::from_the_pressure)
-    , step_solver(scene,
-                  *formulation,
-                  *time_scheme,
-                  body_force,
-                  wall_motion,
-                  points,
-                  occupancy,
-                  fill,
-                  materials,
-                  report,
-                  timer)
+    , problem(planned, timer, start.get(), communicator)
+    , step_solver(problem, report, timer)
     , time_stepper(scene.time, step_advice(scene, planned.plan.scales))
     , chamber_notices(scene, report)
     , expected_step(planned.plan.scales.expected_step())
@@ -162,7 +132,7 @@ namespace seiche
       speed    = speed_per_cell();
       state.dt = time_stepper.next_step(speed);
     }
-    chamber_notices.update(fill.closed_chambers(), state.time);
+    chamber_notices.update(problem.fill.closed_chambers(), state.time);
     while (true)
       {
         const std::string failure =
@@ -188,8 +158,8 @@ namespace seiche
         if (stop_is_wanted())
           return false;
       }
-    if (tank_motion.any())
-      balance = step_solver.balance(state);
+    if (problem.tank_motion.any())
+      balance = problem.assembler.balance(state);
     {
       const TimerTree::Scope scope_back(timer, "grid to points");
       move_points(speed);
@@ -214,7 +184,7 @@ namespace seiche
   {
     try
       {
-        points.locate();
+        problem.points.locate();
       }
     catch (const NumericalError &error) // on all ranks
       {
@@ -232,44 +202,40 @@ namespace seiche
   {
     {
       const TimerTree::Scope scope(timer, "locate");
-      move_grid();
+      problem.move_grid(time_stepper.time());
       locate_points();
     }
     {
       const TimerTree::Scope scope(timer, "mesh adaptation");
       if (time_stepper.steps() > 0 &&
-          mesh_adaptation.update(time_stepper.steps()))
-        occupancy.reinit();
+          problem.mesh_adaptation.update(time_stepper.steps()))
+        problem.occupancy.reinit();
     }
-    if (points.n_global() == 0)
+    if (problem.points.n_global() == 0)
       return false;
     {
       const TimerTree::Scope scope(timer, "occupancy and fill");
-      occupancy.update(points);
-      fill.update(points);
+      problem.find_cells();
     }
     if (time_stepper.steps() > 0 && !points_are_controlled)
       {
         const TimerTree::Scope scope(timer, "point control");
-        point_control.update();
+        problem.point_control.update();
         points_are_controlled = true;
       }
-    materials.update(points);
     {
       const TimerTree::Scope scope(timer, "pattern");
-      step_solver.reinit();
+      problem.find_unknowns();
     }
     const TimerTree::Scope scope(timer, "points to grid");
-    state.reinit(occupancy,
-                 formulation->has_pressure(),
-                 carries_acceleration());
-    transfer.points_to_grid(points, state);
+    problem.points_to_grid(state);
     material_is_found = true;
-    occupied_max = std::max(occupied_max, occupancy.n_global_occupied_cells());
+    occupied_max =
+      std::max(occupied_max, problem.occupancy.n_global_occupied_cells());
     unknowns_max =
       std::max<std::uint64_t>(unknowns_max,
-                              occupancy.n_global_nodes() *
-                                (dim + formulation->has_pressure()));
+                              problem.occupancy.n_global_nodes() *
+                                (dim + problem.formulation->has_pressure()));
     return true;
   }
 
@@ -279,17 +245,17 @@ namespace seiche
   {
     const bool projects =
       scene.time.projects_each_step() || time_stepper.steps() == 0;
-    const std::string problem =
+    const std::string failure =
       step_solver.solve(state, projects, time_stepper.is_repeated());
     effort.newton += step_solver.effort().iterations;
     effort.krylov += step_solver.effort().krylov_iterations;
     newton_total += step_solver.effort().iterations;
     krylov_total += step_solver.effort().krylov_iterations;
-    if (!problem.empty())
-      return problem;
+    if (!failure.empty())
+      return failure;
     const TimerTree::Scope scope(timer, "acceptance");
     const double           limit = largest_way();
-    return transfer.check(state, points, limit)
+    return problem.transfer.check(state, problem.points, limit)
       .problem(limit, scene.time.accepts_failing_steps());
   }
 
@@ -298,7 +264,7 @@ namespace seiche
   Simulation<dim>::largest_way() const
   {
     return scene.time.maximum_displacement -
-           step_solver.wall_way(state.time, state.dt);
+           problem.wall_way(state.time, state.dt);
   }
 
   template <int dim>
@@ -306,24 +272,23 @@ namespace seiche
   Simulation<dim>::move_points(const double speed_per_cell)
   {
     const bool        accepts = scene.time.accepts_failing_steps();
-    const std::size_t n_held =
-      transfer.grid_to_points(state,
-                              points,
-                              accepts ?
-                                largest_way() :
-                                std::numeric_limits<double>::infinity());
-    formulation->update_points(points, volume_from_pressure);
-    if (fill.has_surface())
+    const std::size_t n_held  = problem.transfer.grid_to_points(
+      state,
+      problem.points,
+      accepts ? largest_way() : std::numeric_limits<double>::infinity());
+    problem.formulation->update_points(problem.points,
+                                       scene.volume_update() ==
+                                         VolumeUpdate::from_the_pressure);
+    if (problem.fill.has_surface())
       {
         const TimerTree::Scope scope(timer, "density projection");
-        density_projection.apply(std::max(speed_per_cell,
-                                          step_solver.fall_rate()) *
-                                   state.dt,
-                                 wall_motion.box(state.time + state.dt),
-                                 points);
+        problem.density_projection.apply(
+          std::max(speed_per_cell, step_solver.fall_rate()) * state.dt,
+          problem.wall_motion.box(state.time + state.dt),
+          problem.points);
       }
-    points.wrap();
-    damage_if_asked(points);
+    problem.points.wrap();
+    damage_if_asked(problem.points);
     if (accepts)
       accepted_failures.account(
         step_solver.effort(), n_held, state.time, communicator, report);
@@ -335,12 +300,12 @@ namespace seiche
   {
     if (!scene.time.controls_error() || time_stepper.previous_step() == 0.)
       return 0.;
-    const double lag = time_scheme->pressure_time();
+    const double lag = problem.time_scheme->pressure_time();
     return displacement_error(state,
-                              time_scheme->error_constant(),
+                              problem.time_scheme->error_constant(),
                               lag * state.dt +
                                 (1. - lag) * time_stepper.previous_step()) /
-           occupancy.smallest_extent();
+           problem.occupancy.smallest_extent();
   }
 
   template <int dim>
@@ -350,34 +315,20 @@ namespace seiche
     double largest = 0.;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const double *velocity = points.data(PointColumn::velocity, d);
-        for (const unsigned int cell : occupancy.occupied_cells())
+        const double *velocity = problem.points.data(PointColumn::velocity, d);
+        for (const unsigned int cell : problem.occupancy.occupied_cells())
           {
             double speed = 0.;
-            for (const std::size_t p : points.points_in(cell))
+            for (const std::size_t p : problem.points.points_in(cell))
               speed = std::max(speed, std::abs(velocity[p]));
-            largest = std::max(largest, speed / locator.reach(cell)[d]);
+            largest = std::max(largest, speed / problem.locator.reach(cell)[d]);
           }
       }
     // now and over a step, which may take a wall there and back
     for (const double dt : {1e-3 * scene.time.step, scene.time.step})
       largest =
-        std::max(largest, step_solver.wall_way(time_stepper.time(), dt) / dt);
+        std::max(largest, problem.wall_way(time_stepper.time(), dt) / dt);
     return Utilities::MPI::max(largest, communicator);
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::move_grid()
-  {
-    if (!wall_motion.any())
-      return;
-    const double time = time_stepper.time();
-    locator.move(
-      [this, time](const unsigned int direction, const double place) {
-        return wall_motion.line(direction, place, time);
-      });
-    occupancy.update_places();
   }
 
   template class Simulation<2>;

@@ -57,13 +57,15 @@ namespace seiche
   Simulation<dim>::description() const
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    std::string text = fmt::format("{}D, {} cells, {} points, {} rank{}\n",
-                                   dim,
-                                   grid.triangulation.n_global_active_cells(),
-                                   points.n_global(),
-                                   n_ranks,
-                                   n_ranks == 1 ? "" : "s");
-    for (const SeededBody &body : seeding.bodies) // none after a restart
+    std::string        text =
+      fmt::format("{}D, {} cells, {} points, {} rank{}\n",
+                  dim,
+                  problem.grid.triangulation.n_global_active_cells(),
+                  problem.points.n_global(),
+                  n_ranks,
+                  n_ranks == 1 ? "" : "s");
+    for (const SeededBody &body :
+         problem.seeding.bodies) // none after a restart
       text += in_words(body) + "\n";
     return text;
   }
@@ -72,30 +74,28 @@ namespace seiche
   StepView<dim>
   Simulation<dim>::step_view(const double dt) const
   {
-    const double time  = time_stepper.time();
-    const double theta = dt == 0. ? 0. : step_solver.coefficients().theta;
     // points that carry the pressure have that of the end of the step
-    const bool at_end = !state.has_pressure();
-    return {time_stepper.steps(),
-            time,
-            dt,
-            at_end ? time : time - (1. - time_scheme->pressure_time()) * dt,
-            points,
-            occupancy,
-            fill,
-            state,
-            body_force.gravity(time),
-            scene.fluid.volume_law.bulk_modulus,
-            theta,
-            at_end ? 1. : theta,
-            seeding.half_spacing,
-            occupancy.smallest_extent(),
-            wall_motion.box(time),
-            effort.newton,
-            effort.krylov,
-            tank_motion.any() ? &tank_motion.at(time) : nullptr,
-            balance,
-            expected_step};
+    const bool    at_end = !state.has_pressure();
+    StepView<dim> view(problem.points, problem.fill, state);
+    view.step = time_stepper.steps();
+    view.time = time_stepper.time();
+    view.dt   = dt;
+    view.pressure_time =
+      at_end ? view.time :
+               view.time - (1. - problem.time_scheme->pressure_time()) * dt;
+    view.gravity           = problem.body_force.gravity(view.time);
+    view.bulk_modulus      = scene.fluid.volume_law.bulk_modulus;
+    view.theta             = dt == 0. ? 0. : step_solver.coefficients().theta;
+    view.pressure_theta    = at_end ? 1. : view.theta;
+    view.half_spacing      = problem.seeding.half_spacing;
+    view.box               = problem.wall_motion.box(view.time);
+    view.newton_iterations = effort.newton;
+    view.krylov_iterations = effort.krylov;
+    view.tank =
+      problem.tank_motion.any() ? &problem.tank_motion.at(view.time) : nullptr;
+    view.balance       = balance;
+    view.expected_step = expected_step;
+    return view;
   }
 
   template <int dim>
@@ -107,17 +107,17 @@ namespace seiche
     const double           time   = time_stepper.time();
     const double           dt     = step == 0 ? 0. : state.dt;
     const StepView<dim>    now    = step_view(dt);
-    std::vector<double>    values = {static_cast<double>(step),
-                                     time,
-                                     dt,
-                                     now.pressure_time,
-                                     static_cast<double>(effort.newton),
-                                     static_cast<double>(effort.krylov),
-                                     static_cast<double>(
-                                    occupancy.n_global_occupied_cells())};
+    std::vector<double>    values = {
+         static_cast<double>(step),
+         time,
+         dt,
+         now.pressure_time,
+         static_cast<double>(effort.newton),
+         static_cast<double>(effort.krylov),
+         static_cast<double>(problem.occupancy.n_global_occupied_cells())};
     if (scene.time.controls_error())
       values.push_back(time_stepper.error());
-    for (const auto &change : point_control.account())
+    for (const auto &change : problem.point_control.account())
       values.push_back(change.second);
     const auto names = scene.simulation_columns();
     AssertDimension(names.size(), values.size());
@@ -134,8 +134,9 @@ namespace seiche
     const double energy = scene.postprocessors.relative_energy();
     if (step > 0)
       report.progress(time, dt, effort.newton, effort.krylov, energy);
-    const bool is_isolated = (body_force.is_constant() || tank_motion.any()) &&
-                             !step_solver.walls_move();
+    const bool is_isolated =
+      (problem.body_force.is_constant() || problem.tank_motion.any()) &&
+      !problem.walls_move();
     // a soft fluid takes its energy back from the volume
     const double gain = scene.fluid.is_incompressible() ?
                           scene.postprocessors.relative_energy_gain() :
@@ -177,12 +178,12 @@ namespace seiche
   Simulation<dim>::finish()
   {
     nlohmann::ordered_json summary;
-    summary["dim"]                = dim;
-    summary["points"]             = points.n_global();
-    summary["cells"]              = grid.triangulation.n_global_active_cells();
+    summary["dim"]    = dim;
+    summary["points"] = problem.points.n_global();
+    summary["cells"]  = problem.grid.triangulation.n_global_active_cells();
     summary["occupied_cells_max"] = occupied_max;
-    summary["work_imbalance"]     = mesh_adaptation.imbalance();
-    summary["points_put_back"]    = points.n_put_back();
+    summary["work_imbalance"]     = problem.mesh_adaptation.imbalance();
+    summary["points_put_back"]    = problem.points.n_put_back();
     summary["dofs_max"]           = unknowns_max;
     summary["end_time"]           = time_stepper.time();
     summary["steps"]              = time_stepper.steps();
@@ -201,7 +202,7 @@ namespace seiche
       accepted_failures.summarize(summary);
     summary["newton_iterations"] = newton_total;
     summary["krylov_iterations"] = krylov_total;
-    for (const auto &[name, value] : point_control.account())
+    for (const auto &[name, value] : problem.point_control.account())
       summary["point control"][name] = value;
     scene.postprocessors.finish(statistics, summary);
     report.finish(summary, timer);

@@ -13,7 +13,10 @@ namespace seiche
   void
   Simulation<dim>::begin()
   {
-    scene.postprocessors.make(directory, grid, communicator, tank_motion.any());
+    scene.postprocessors.make(directory,
+                              problem.grid,
+                              communicator,
+                              problem.tank_motion.any());
     scene.postprocessors.request_columns(statistics);
     const FormulationParameters &form = scene.formulation;
     if (form.is_mixed() && !form.stabilization.has_inertia() &&
@@ -47,33 +50,16 @@ namespace seiche
   void
   Simulation<dim>::prepare_start()
   {
-    if (!time_scheme->needs_acceleration())
+    if (!problem.time_scheme->needs_acceleration())
       return;
     state.dt = scene.time.step;
     step_solver.find_consistent_start(state);
-    interpolate_to_points(occupancy,
+    interpolate_to_points(problem.occupancy,
                           state.acceleration_n,
                           PointColumn::acceleration,
-                          points);
+                          problem.points);
     state.solution = 0.;
     state.reaction = 0.;
-  }
-
-  template <int dim>
-  bool
-  Simulation<dim>::carries_acceleration() const
-  {
-    return time_scheme->needs_acceleration() || scene.time.controls_error();
-  }
-
-  template <int dim>
-  std::set<PointColumn>
-  Simulation<dim>::point_columns() const
-  {
-    auto columns = scene.point_columns();
-    if (carries_acceleration())
-      columns.insert(PointColumn::acceleration);
-    return columns;
   }
 
   template void
@@ -84,12 +70,4 @@ namespace seiche
   Simulation<2>::prepare_start();
   template void
   Simulation<3>::prepare_start();
-  template bool
-  Simulation<2>::carries_acceleration() const;
-  template bool
-  Simulation<3>::carries_acceleration() const;
-  template std::set<PointColumn>
-  Simulation<2>::point_columns() const;
-  template std::set<PointColumn>
-  Simulation<3>::point_columns() const;
 } // namespace seiche

@@ -29,92 +29,38 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  StepSolver<dim>::StepSolver(const Scene<dim>         &run_scene,
-                              const Formulation<dim>   &formulation,
-                              const TimeScheme<dim>    &run_time_scheme,
-                              const BodyForce<dim>     &body_force,
-                              const WallMotion<dim>    &run_wall_motion,
-                              const PointCloud<dim>    &points,
-                              Occupancy<dim>           &run_occupancy,
-                              const Fill<dim>          &run_fill,
-                              const CellMaterials<dim> &materials,
-                              RunReport                &run_report,
-                              TimerTree                &run_timer)
-    : scene(run_scene)
-    , time_scheme(run_time_scheme)
-    , wall_motion(run_wall_motion)
-    , occupancy(run_occupancy)
-    , fill(run_fill)
+  StepSolver<dim>::StepSolver(Problem<dim> &run_problem,
+                              RunReport    &run_report,
+                              TimerTree    &run_timer)
+    : problem(run_problem)
     , report(run_report)
     , timer(run_timer)
-    , has_pressure(formulation.has_pressure())
-    , is_incompressible(has_pressure && scene.fluid.is_incompressible())
-    , measures_forces(scene.postprocessors.measure_forces())
-    , quadrature(
-        make_quadrature(points,
-                        fill,
-                        materials,
-                        is_incompressible ? VolumeRatio::one :
-                        scene.volume_update() == VolumeUpdate::at_the_point ?
-                                            VolumeRatio::mean :
-                                            VolumeRatio::linear))
-    , wall_velocity(scene.grid, scene.input, scene.time.end_time)
-    , wall_conditions(wall_velocity, wall_motion, occupancy)
-    , dry_edges(occupancy)
-    , row_mass(occupancy,
-               measures_forces || scene.grid.any_friction() ||
-                 scene.grid.any_unilateral())
-    , wall_friction(occupancy, row_mass)
-    , wall_contact(wall_conditions, occupancy, row_mass, body_force, materials)
-    , matrix(occupancy, has_pressure)
-    , assembler(formulation,
-                *quadrature,
-                fill,
-                materials,
-                body_force,
-                scene.free_surface,
-                timer)
-    , linear_solver(scene.linear_solver, timer)
-    , velocity_projection(assembler,
-                          matrix,
-                          linear_solver,
-                          scene.linear_solver.projection_tolerance)
-    , residual_projection(assembler, *quadrature, occupancy)
-    , newton(scene.newton,
-             scene.linear_solver.tolerance,
-             assembler,
+    , has_pressure(problem.formulation->has_pressure())
+    , measures_forces(problem.scene.postprocessors.measure_forces())
+    , linear_solver(problem.scene.linear_solver, timer)
+    , system{problem.assembler, problem.matrix, linear_solver}
+    , velocity_projection(system,
+                          problem.scene.linear_solver.projection_tolerance)
+    , residual_projection(problem.assembler,
+                          *problem.quadrature,
+                          problem.occupancy)
+    , newton(problem.scene.newton,
+             problem.scene.linear_solver.tolerance,
+             system,
              residual_projection,
-             matrix,
-             linear_solver,
-             wall_contact)
+             problem.wall_contact)
   {}
-
-  template <int dim>
-  void
-  StepSolver<dim>::reinit()
-  {
-    occupancy.set_linear(fill.linear_cells());
-    matrix.reinit(fill);
-    row_mass.reinit();
-    if (!time_scheme.needs_acceleration())
-      {
-        dry_edges.reinit();
-        wall_friction.reinit();
-      }
-    inertia_offset.reinit(occupancy.vector_partitioner());
-    rate_offset.reinit(occupancy.vector_partitioner());
-  }
 
   template <int dim>
   void
   StepSolver<dim>::find_consistent_start(GridState<dim> &state)
   {
-    wall_conditions.set_start_velocity(state);
+    problem.wall_conditions.set_start_velocity(state);
     bool converged = true;
     if (has_pressure)
-      converged =
-        velocity_projection.apply(state, time_scheme.coefficients(state.dt))
-          .converged;
+      converged = velocity_projection
+                    .apply(state, problem.time_scheme->coefficients(state.dt))
+                    .converged;
     converged =
       converged && velocity_projection.consistent_start(state).converged;
     if (!converged)
@@ -130,35 +76,40 @@ namespace seiche
                          const bool      is_repeated)
   {
     last = NewtonResult();
-    if (const std::string problem = problem_of_walls(state); !problem.empty())
-      return problem;
-    dry_edges.update(state);
-    const StepCoefficients step = time_scheme.coefficients(state.dt);
+    if (const std::string failure = problem_of_walls(state); !failure.empty())
+      return failure;
+    problem.dry_edges.update(state);
+    const StepCoefficients step = problem.time_scheme->coefficients(state.dt);
     linear_solver.begin_step();
-    if (const std::string problem = find_start_velocity(state, step, projects);
-        !problem.empty())
-      return problem;
+    if (const std::string failure = find_start_velocity(state, step, projects);
+        !failure.empty())
+      return failure;
     find_start_reaction(state, projects);
     {
       const TimerTree::Scope scope(timer, "newton");
-      time_scheme.predict(state);
-      if (const auto *closed = assembler.closed_chambers())
+      problem.time_scheme->predict(state);
+      if (const auto *closed = problem.assembler.closed_chambers())
         {
           closed->level_pressure(state.solution.block(1));
           state.solution.update_ghost_values();
         }
-      time_scheme.offsets(state, state.dt, inertia_offset, rate_offset);
-      wall_conditions.set_displacement(state, step, rate_offset);
-      wall_contact.begin_iteration(step, rate_offset);
-      assembler.begin(step, state, inertia_offset, rate_offset);
+      inertia_offset.reinit(problem.occupancy.vector_partitioner());
+      rate_offset.reinit(problem.occupancy.vector_partitioner());
+      problem.time_scheme->offsets(state,
+                                   state.dt,
+                                   inertia_offset,
+                                   rate_offset);
+      problem.wall_conditions.set_displacement(state, step, rate_offset);
+      problem.wall_contact.begin_iteration(step, rate_offset);
+      problem.assembler.begin(step, state, inertia_offset, rate_offset);
       const unsigned int of_projection = last.krylov_iterations;
-      const bool         accepts       = scene.time.accepts_failing_steps();
+      const bool         accepts = problem.scene.time.accepts_failing_steps();
       last = newton.solve(state, if_unconverged(accepts, is_repeated));
       last.krylov_iterations += of_projection;
       if (!last.converged && !(accepts && last.is_usable))
         return last.failure;
     }
-    time_scheme.finish(state);
+    problem.time_scheme->finish(state);
     return "";
   }
 
@@ -166,10 +117,10 @@ namespace seiche
   std::string
   StepSolver<dim>::problem_of_walls(const GridState<dim> &state) const
   {
-    const double way = wall_way(state.time, state.dt);
-    if (way > largest_wall_way * scene.time.maximum_displacement)
+    const double way = problem.wall_way(state.time, state.dt);
+    if (way > largest_wall_way * problem.scene.time.maximum_displacement)
       return fmt::format("a wall moves by {:.3g} cells", way);
-    if (wall_motion.any() && walls_squeeze_chamber(state))
+    if (problem.wall_motion.any() && walls_squeeze_chamber(state))
       throw NumericalError(fmt::format(
         "t = {:.6g} s: walls change the volume of a chamber that is full of "
         "incompressible fluid, or counts as full: half a cell of air under a "
@@ -183,21 +134,18 @@ namespace seiche
   bool
   StepSolver<dim>::walls_squeeze_chamber(const GridState<dim> &state) const
   {
-    const ClosedChambers<dim> *closed = assembler.closed_chambers();
+    const ClosedChambers<dim> *closed = problem.assembler.closed_chambers();
     if (closed == nullptr)
       return false;
     const auto &chambers = closed->chambers;
-    const auto  lines    = [this](const double time) {
-      return [this, time](const unsigned int direction, const double place) {
-        return wall_motion.line(direction, place, time);
-      };
-    };
     for (unsigned int chamber = 0; chamber < chambers.size(); ++chamber)
       if (closed->is_closed(chamber))
         {
-          const double before = chambers.volume(chamber, lines(state.time));
+          const double before =
+            chambers.volume(chamber, problem.wall_motion.lines(state.time));
           const double after =
-            chambers.volume(chamber, lines(state.time + state.dt));
+            chambers.volume(chamber,
+                            problem.wall_motion.lines(state.time + state.dt));
           if (std::abs(after / before - 1.) > largest_volume_change)
             return true;
         }
@@ -210,18 +158,16 @@ namespace seiche
                                        const StepCoefficients &coefficients,
                                        const bool              projects)
   {
-    wall_contact.begin(state, assembler.closed_chambers());
+    problem.wall_contact.begin(state, problem.assembler.closed_chambers());
     while (true)
       {
-        wall_conditions.set_start_velocity(state);
-        wall_friction.apply(state);
+        problem.wall_conditions.set_start_velocity(state);
+        problem.wall_friction.apply(state);
         if (!has_pressure || !projects)
           return "";
         const TimerTree::Scope scope(timer, "velocity projection");
-        const LinearResult     result =
-          velocity_projection.apply(state,
-                                    coefficients,
-                                    wall_contact.any() || measures_forces);
+        const LinearResult     result = velocity_projection.apply(
+          state, coefficients, problem.wall_contact.any() || measures_forces);
         last.krylov_iterations += result.iterations;
         if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
           return result.is_singular ?
@@ -233,7 +179,7 @@ namespace seiche
                                   "left",
                                   state.time,
                                   result.reduction));
-        if (!wall_contact.correct_start(state))
+        if (!problem.wall_contact.correct_start(state))
           return "";
       }
   }
@@ -246,19 +192,12 @@ namespace seiche
     if (!measures_forces)
       return;
     state.start_reaction = 0.;
-    occupancy.for_each_fixed([&](const unsigned int i) {
+    problem.occupancy.for_each_fixed([&](const unsigned int i) {
       // walls give their velocity first, then the projection pushes
       state.start_reaction.local_element(i) =
-        wall_impulse(state, row_mass, i) +
+        wall_impulse(state, problem.row_mass, i) +
         (has_pressure && projects ? state.reaction.local_element(i) : 0.);
     });
-  }
-
-  template <int dim>
-  double
-  StepSolver<dim>::wall_way(const double time, const double dt) const
-  {
-    return wall_motion.largest_way(time, dt) / occupancy.smallest_extent();
   }
 
   template class StepSolver<2>;

@@ -92,14 +92,14 @@ namespace seiche
   const PointCloud<dim> &
   SteppedRun<dim>::points() const
   {
-    return implementation->simulation.point_cloud();
+    return problem().points;
   }
 
   template <int dim>
-  const Simulation<dim> &
-  SteppedRun<dim>::simulation() const
+  const Problem<dim> &
+  SteppedRun<dim>::problem() const
   {
-    return implementation->simulation;
+    return implementation->simulation.objects();
   }
 
   template class SteppedRun<2>;

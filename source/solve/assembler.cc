@@ -10,22 +10,19 @@ namespace seiche
   using namespace dealii;
 
   template <int dim>
-  Assembler<dim>::Assembler(const Formulation<dim>      &weak_form,
-                            const Quadrature<dim>       &rule,
-                            const Fill<dim>             &grid_fill,
-                            const CellMaterials<dim>    &cell_materials,
-                            const BodyForce<dim>        &force,
-                            const FreeSurfaceParameters &surface,
-                            TimerTree                   &timer_tree)
-    : formulation(weak_form)
-    , materials(cell_materials)
-    , free_surface(surface)
+  Assembler<dim>::Assembler(const WeakForm<dim>   &weak_form,
+                            const Quadrature<dim> &rule,
+                            const Fill<dim>       &grid_fill,
+                            TimerTree             &timer_tree)
+    : formulation(weak_form.formulation)
+    , materials(weak_form.materials)
+    , free_surface(weak_form.free_surface)
     , quadrature(rule)
     , fill(grid_fill)
     , occupancy(grid_fill.occupancy)
-    , body_force(force)
+    , body_force(weak_form.body_force)
     , timer(timer_tree)
-    , tau_is_uniform(weak_form.stabilization.tau_is_uniform)
+    , tau_is_uniform(formulation.stabilization.tau_is_uniform)
   {}
 
   template <int dim>

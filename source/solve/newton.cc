@@ -74,17 +74,13 @@ namespace seiche
   template <int dim>
   Newton<dim>::Newton(const NewtonParameters  &p,
                       const double             forcing,
-                      Assembler<dim>          &a,
+                      const LinearSystem<dim> &s,
                       ResidualProjection<dim> &r,
-                      BlockMatrix<dim>        &m,
-                      LinearSolver<dim>       &s,
                       WallContact<dim>        &c)
     : parameters(p)
     , first_forcing(forcing)
-    , assembler(a)
+    , system(s)
     , projection(r)
-    , matrix(m)
-    , solver(s)
     , contact(c)
   {}
 
@@ -103,7 +99,7 @@ namespace seiche
   typename Newton<dim>::Norms
   Newton<dim>::scales(const GridState<dim> &state) const
   {
-    const double g     = assembler.body_force_scale();
+    const double g     = system.assembler.body_force_scale();
     double       force = 0., volume = 0.;
     for (unsigned int i = 0; i < state.mass.locally_owned_size(); ++i)
       {
@@ -119,7 +115,7 @@ namespace seiche
     Norms          result;
     result.momentum = std::sqrt(Utilities::MPI::sum(force, communicator));
     result.volume   = std::sqrt(Utilities::MPI::sum(volume, communicator)) /
-                    assembler.materials.largest_density();
+                    system.assembler.materials.largest_density();
     return result;
   }
 
@@ -135,8 +131,8 @@ namespace seiche
         state.solution.zero_out_ghost_values();
         state.solution.add(length - done, update);
         state.solution.update_ghost_values();
-        assembler.residual(state, residual);
-        const double after = solver.norm(residual);
+        system.assembler.residual(state, residual);
+        const double after = system.solver.norm(residual);
         if (after < before || length == 0. ||
             (length <= shortest_step && !only_nearer))
           return after;
@@ -173,9 +169,9 @@ namespace seiche
   double
   Newton<dim>::model_error()
   {
-    matrix.vmult(product, update);
+    system.matrix.vmult(product, update);
     product -= residual_change;
-    return solver.norm(product);
+    return system.solver.norm(product);
   }
 
   template <int dim>
@@ -208,7 +204,7 @@ namespace seiche
     residual_change.reinit(state.solution);
     product.reinit(state.solution);
     projection.begin(state);
-    assembler.residual(state, residual);
+    system.assembler.residual(state, residual);
     const Norms first = norms(residual), scale = scales(state);
     const Norms target = {
       std::max(parameters.tolerance * first.momentum,
@@ -236,7 +232,7 @@ namespace seiche
         if (is_finite && (result.iterations > 0 || is_small()) &&
             contact.correct(state))
           {
-            assembler.residual(state, residual);
+            system.assembler.residual(state, residual);
             now = norms(residual);
             progress.begin(first_forcing); // another problem
           }
@@ -252,15 +248,12 @@ namespace seiche
         if (!result.failure.empty())
           return result;
         if (!progress.reuse)
-          {
-            assembler.tangent(state, matrix);
-            solver.initialize(matrix, assembler, state.mass);
-          }
+          system.linearize(state);
         progress.reused     = progress.reuse;
-        const double before = solver.norm(residual);
+        const double before = system.solver.norm(residual);
         residual *= -1.;
         const LinearResult linear =
-          solver.solve(update, residual, progress.forcing);
+          system.solver.solve(update, residual, progress.forcing);
         result.krylov_iterations += linear.iterations;
         ++result.iterations;
         if (!linear.is_usable(usable_reduction))
@@ -282,7 +275,7 @@ namespace seiche
         residual_change += residual;
         const bool is_projected = projection.update(state, result.iterations);
         if (is_projected)
-          assembler.residual(state, residual);
+          system.assembler.residual(state, residual);
         now = norms(residual);
         plan_next(progress,
                   after / before,

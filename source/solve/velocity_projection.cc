@@ -16,13 +16,9 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  VelocityProjection<dim>::VelocityProjection(Assembler<dim>    &a,
-                                              BlockMatrix<dim>  &m,
-                                              LinearSolver<dim> &s,
-                                              const double       t)
-    : assembler(a)
-    , matrix(m)
-    , solver(s)
+  VelocityProjection<dim>::VelocityProjection(const LinearSystem<dim> &s,
+                                              const double             t)
+    : system(s)
     , tolerance(t)
   {}
 
@@ -38,25 +34,24 @@ namespace seiche
     // what walls prescribe is part of the residual, the rest is solved for
     state.solution = 0.;
     state.solution.zero_out_ghost_values();
-    matrix.occupancy.for_each_fixed([&](const unsigned int i) {
+    system.matrix.occupancy.for_each_fixed([&](const unsigned int i) {
       state.displacement().local_element(i) =
         solution.block(0).local_element(i);
       solution.block(0).local_element(i) = 0.;
     });
     state.solution.update_ghost_values();
-    assembler.begin(coefficients, state, inertia_offset, rate_offset);
+    system.assembler.begin(coefficients, state, inertia_offset, rate_offset);
     BlockVector right_hand_side(state.solution), product(state.solution);
     right_hand_side.zero_out_ghost_values();
-    assembler.residual(state, right_hand_side);
-    assembler.tangent(state, matrix);
-    solver.initialize(matrix, assembler, state.mass);
-    matrix.vmult(product, solution);
+    system.assembler.residual(state, right_hand_side);
+    system.linearize(state);
+    system.matrix.vmult(product, solution);
     right_hand_side.sadd(-1., -1., product);
     BlockVector        update(state.solution);
     const LinearResult result =
-      solver.solve(update, right_hand_side, reduction);
+      system.solver.solve(update, right_hand_side, reduction);
     solution += update;
-    matrix.occupancy.for_each_fixed([&](const unsigned int i) {
+    system.matrix.occupancy.for_each_fixed([&](const unsigned int i) {
       solution.block(0).local_element(i) =
         state.displacement().local_element(i);
     });
@@ -75,7 +70,7 @@ namespace seiche
     state.solution.zero_out_ghost_values();
     state.solution.sadd(1. - reaction_share, reaction_share, solution);
     state.solution.update_ghost_values();
-    assembler.residual(state, residual);
+    system.assembler.residual(state, residual);
     state.reaction.sadd(1. / reaction_share, 1. - 1. / reaction_share, start);
   }
 

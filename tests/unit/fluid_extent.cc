@@ -128,21 +128,11 @@ namespace
           displacement(occupancy.node_position(node))[d];
     state.solution.update_ghost_values();
     state.velocity_np1.update_ghost_values();
-    const StepView<dim> view{1,
-                             0.1,
-                             0.1,
-                             0.1,
-                             points,
-                             occupancy,
-                             fill,
-                             state,
-                             Tensor<1, dim>(),
-                             std::numeric_limits<double>::infinity(),
-                             1.,
-                             1.,
-                             0.5 * spacing,
-                             1. / n_cells,
-                             locator.domain()};
+    StepView<dim> view(points, fill, state);
+    view.step = 1;
+    view.time = view.dt = view.pressure_time = 0.1;
+    view.theta = view.pressure_theta = 1.;
+    view.half_spacing                = 0.5 * spacing;
 
     const std::string directory = "surface" + std::to_string(dim) + "d";
     if (Utilities::MPI::this_mpi_process(communicator) == 0)

@@ -250,25 +250,17 @@ namespace
           move_points(points);
         state.reinit(occupancy, with_pressure, false);
         set_state(occupancy, step == 0 ? 0. : 1., state);
-        Tensor<1, dim> downwards;
-        downwards[dim - 1] = -gravity;
-        const StepView<dim> view{step,
-                                 time_step * step,
-                                 step == 0 ? 0. : time_step,
-                                 step == 0     ? 0. :
-                                 with_pressure ? time_step * (step - 0.5) :
-                                                 time_step * step,
-                                 points,
-                                 occupancy,
-                                 fill,
-                                 state,
-                                 downwards,
-                                 std::numeric_limits<double>::infinity(),
-                                 theta,
-                                 with_pressure ? theta : 1.,
-                                 0.0625,
-                                 0.25,
-                                 occupancy.locator.domain()};
+        StepView<dim> view(points, fill, state);
+        view.step             = step;
+        view.time             = time_step * step;
+        view.dt               = step == 0 ? 0. : time_step;
+        view.pressure_time    = step == 0     ? 0. :
+                                with_pressure ? time_step * (step - 0.5) :
+                                                time_step * step;
+        view.gravity[dim - 1] = -gravity;
+        view.theta            = theta;
+        view.pressure_theta   = with_pressure ? theta : 1.;
+        view.half_spacing     = 0.0625;
         statistics.set("time [s]", view.time);
         statistics.set("dt [s]", view.dt);
         statistics.set("pressure_time [s]", view.pressure_time);

@@ -49,12 +49,9 @@ struct Workbench
     , wall_conditions(wall_velocity, wall_motion, occupancy)
     , transfer(scene.transfer, fill, materials, scene.volume_update())
     , matrix(occupancy, formulation->has_pressure())
-    , assembler(*formulation,
+    , assembler({*formulation, materials, body_force, scene.free_surface},
                 *quadrature,
                 fill,
-                materials,
-                body_force,
-                scene.free_surface,
                 timer)
   {
     seiche::seed_bodies(
@@ -84,23 +81,10 @@ struct Workbench
   seiche::StepView<dim>
   view() const
   {
-    return {0,
-            0.,
-            0.,
-            0.,
-            points,
-            occupancy,
-            fill,
-            state,
-            dealii::Tensor<1, dim>(),
-            scene.fluid.volume_law.bulk_modulus,
-            0.5,
-            0.5,
-            0.,
-            occupancy.smallest_extent(),
-            locator.domain(),
-            0,
-            0};
+    seiche::StepView<dim> result(points, fill, state);
+    result.bulk_modulus = scene.fluid.volume_law.bulk_modulus;
+    result.theta = result.pressure_theta = 0.5;
+    return result;
   }
 
   const seiche::InputFile                         input;

@@ -12,6 +12,7 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <limits>
 #include <string>
 
 namespace seiche
@@ -28,26 +29,37 @@ namespace seiche
   template <int dim>
   struct StepView
   {
-    unsigned int           step          = 0;
-    double                 time          = 0.; ///< [s] end of the step
-    double                 dt            = 0.; ///< [s]
-    double                 pressure_time = 0.; ///< [s] time of the pressure
+    /// The fields; all else is named by who fills it in.
+    StepView(const PointCloud<dim> &step_points,
+             const Fill<dim>       &step_fill,
+             const GridState<dim>  &step_state)
+      : points(step_points)
+      , occupancy(step_fill.occupancy)
+      , fill(step_fill)
+      , state(step_state)
+      , box(step_fill.occupancy.locator.domain())
+    {}
+
     const PointCloud<dim> &points;
     const Occupancy<dim>  &occupancy;
     const Fill<dim>       &fill;
     const GridState<dim>  &state;
+
+    unsigned int step          = 0;
+    double       time          = 0.; ///< [s] end of the step
+    double       dt            = 0.; ///< [s]
+    double       pressure_time = 0.; ///< [s] time of the pressure
     /// Constant body acceleration [m/s^2], in the axes of the tank as it is
     /// now; zero if it varies in space or time (the ledger's energy is then
     /// kinetic only).
     dealii::Tensor<1, dim> gravity;
     /// Bulk modulus [Pa], infinity allowed.
-    double bulk_modulus;
+    double bulk_modulus = std::numeric_limits<double>::infinity();
     /// The configuration of forces is x_n + theta u, that of the pressure
     /// x_n + pressure_theta u.
-    double theta;
-    double pressure_theta;
-    double half_spacing;          ///< [m] half the initial spacing of points
-    double smallest_extent;       ///< [m] smallest cell edge
+    double                   theta          = 0.;
+    double                   pressure_theta = 0.;
+    double                   half_spacing   = 0.; ///< [m] of points, initial
     dealii::BoundingBox<dim> box; ///< of the walls at the end of the step
     unsigned int             newton_iterations = 0; ///< of this step, all tries
     unsigned int             krylov_iterations = 0; ///< of this step, all tries

@@ -6,6 +6,7 @@
 #include <seiche/scene/expression.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 
 namespace seiche
@@ -59,6 +60,15 @@ namespace seiche
     line(const unsigned int direction,
          const double       place,
          const double       time) const;
+
+    /// line() of all grid lines at @p time; the object must outlive it.
+    std::function<double(const unsigned int, const double)>
+    lines(const double time) const
+    {
+      return [this, time](const unsigned int direction, const double place) {
+        return line(direction, place, time);
+      };
+    }
 
   private:
     void

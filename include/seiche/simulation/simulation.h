@@ -2,15 +2,11 @@
 #ifndef seiche_simulation_simulation_h
 #define seiche_simulation_simulation_h
 
-#include <seiche/grid/density_projection.h>
-#include <seiche/grid/mesh_adaptation.h>
-#include <seiche/grid/point_control.h>
 #include <seiche/simulation/accepted_failures.h>
 #include <seiche/simulation/chamber_notices.h>
-#include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/earlier_results.h>
-#include <seiche/simulation/planned_scene.h>
+#include <seiche/simulation/problem.h>
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/step_solver.h>
 #include <seiche/utilities/timer_tree.h>
@@ -98,10 +94,11 @@ namespace seiche
     {
       return statistics;
     }
-    const PointCloud<dim> &
-    point_cloud() const
+    /// Grid, points and all that works on them.
+    const Problem<dim> &
+    objects() const
     {
-      return points;
+      return problem;
     }
 
   private:
@@ -166,23 +163,9 @@ namespace seiche
     void
     write_failed_points();
 
-    /// The grid to where the walls are now. Collective.
-    void
-    move_grid();
-
     /// Largest speed over the cell edge [1/s], all ranks.
     double
     speed_per_cell() const;
-
-    /// True if the points keep the acceleration of the step before.
-    bool
-    carries_acceleration() const;
-    std::set<PointColumn>
-    point_columns() const;
-
-    /// The points of the start, or of the scene's bodies. Collective.
-    SeedingResult
-    fill_points(const Checkpoint *start);
 
     /// All that is carried from step to step but the points (and, within the
     /// solver's tolerance, which tangents Newton makes anew). Collective.
@@ -191,32 +174,15 @@ namespace seiche
     void
     write_checkpoint(CheckpointFolder &folder);
 
-    Scene<dim>                        &scene;
-    const std::vector<FluidBody<dim>> &bodies; // at the start
-    const std::string                  directory;
-    const MPI_Comm                     communicator;
-    RunReport                         &report;
-    TimerTree                         &timer;
+    Scene<dim>       &scene;
+    const std::string directory;
+    const MPI_Comm    communicator;
+    RunReport        &report;
+    TimerTree        &timer;
     /// Until the run begins: it holds a file open, and memory.
     std::unique_ptr<const Checkpoint> start;
 
-    const WallMotion<dim>                   wall_motion;
-    BackgroundGrid<dim>                     grid;
-    CellLocator<dim>                        locator;
-    const std::unique_ptr<TimeScheme<dim>>  time_scheme;
-    const std::unique_ptr<Formulation<dim>> formulation;
-    PointCloud<dim>                         points;
-    SeedingResult                           seeding;
-    MeshAdaptation<dim>                     mesh_adaptation;
-    Occupancy<dim>                          occupancy;
-    Fill<dim>                               fill;
-    CellMaterials<dim>                      materials;
-    DensityProjection<dim>                  density_projection;
-    PointControl<dim>                       point_control;
-    const TankMotion<dim>                   tank_motion;
-    const BodyForce<dim>                    body_force;
-    const Transfer<dim>                     transfer;
-    const bool          volume_from_pressure; ///< J of points
+    Problem<dim>        problem;
     GridState<dim>      state;
     StepSolver<dim>     step_solver;
     TimeStepper         time_stepper;

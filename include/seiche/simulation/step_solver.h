@@ -2,16 +2,13 @@
 #ifndef seiche_simulation_step_solver_h
 #define seiche_simulation_step_solver_h
 
-#include <seiche/grid/dry_edges.h>
-#include <seiche/grid/wall_contact.h>
-#include <seiche/grid/wall_friction.h>
+#include <seiche/simulation/problem.h>
 #include <seiche/simulation/run_report.h>
-#include <seiche/simulation/scene.h>
+#include <seiche/solve/newton.h>
 #include <seiche/solve/velocity_projection.h>
 #include <seiche/utilities/timer_tree.h>
 
 #include <cmath>
-#include <memory>
 #include <string>
 
 namespace seiche
@@ -25,24 +22,8 @@ namespace seiche
   class StepSolver
   {
   public:
-    /// References must outlive this. Walls that let go of the fluid are noted
-    /// in @p occupancy.
-    StepSolver(const Scene<dim>         &scene,
-               const Formulation<dim>   &formulation,
-               const TimeScheme<dim>    &time_scheme,
-               const BodyForce<dim>     &body_force,
-               const WallMotion<dim>    &wall_motion,
-               const PointCloud<dim>    &points,
-               Occupancy<dim>           &occupancy,
-               const Fill<dim>          &fill,
-               const CellMaterials<dim> &materials,
-               RunReport                &report,
-               TimerTree                &timer);
-
-    /// After a change of the fill: pattern of the matrix, faces of obstacles
-    /// that have fluid at them. Collective.
-    void
-    reinit();
+    /// References must outlive this.
+    StepSolver(Problem<dim> &problem, RunReport &report, TimerTree &timer);
 
     /// Velocity, acceleration and pressure that satisfy walls and constraint,
     /// in @p state, whose dt is that of the first step. NumericalError if they
@@ -59,20 +40,6 @@ namespace seiche
     std::string
     solve(GridState<dim> &state, const bool projects, const bool is_repeated);
 
-    /// Of the step that solve() has done, before its points move. Collective.
-    StepBalance<dim>
-    balance(const GridState<dim> &state)
-    {
-      return assembler.balance(state);
-    }
-
-    /// True if walls move and so may give energy to the fluid.
-    bool
-    walls_move() const
-    {
-      return wall_motion.any() || wall_velocity.any();
-    }
-
     /// Iterations of the last attempt.
     const NewtonResult &
     effort() const
@@ -84,21 +51,16 @@ namespace seiche
     const StepCoefficients &
     coefficients() const
     {
-      return assembler.coefficients();
+      return problem.assembler.coefficients();
     }
-
-    /// Cells that sides of the domain move by in a step that starts at @p time
-    /// [s] and has size @p dt [s].
-    double
-    wall_way(const double time, const double dt) const;
 
     /// One over the time [1/s] in which the body force of the last step moves
     /// fluid at rest by about a cell, sqrt(g/h). Collective.
     double
     fall_rate() const
     {
-      return std::sqrt(assembler.body_force_scale() /
-                       occupancy.smallest_extent());
+      return std::sqrt(problem.assembler.body_force_scale() /
+                       problem.occupancy.smallest_extent());
     }
 
   private:
@@ -125,32 +87,19 @@ namespace seiche
 
     using Vector = typename GridState<dim>::Vector;
 
-    const Scene<dim>      &scene;
-    const TimeScheme<dim> &time_scheme;
-    const WallMotion<dim> &wall_motion;
-    Occupancy<dim>        &occupancy;
-    const Fill<dim>       &fill;
-    RunReport             &report;
-    TimerTree             &timer;
+    Problem<dim> &problem;
+    RunReport    &report;
+    TimerTree    &timer;
 
-    const bool has_pressure;
-    const bool is_incompressible; ///< constraint instead of a bulk modulus
-    const bool measures_forces;
-    const std::unique_ptr<Quadrature<dim>> quadrature;
-    const WallVelocity<dim>                wall_velocity;
-    const WallConditions<dim>              wall_conditions;
-    DryEdges<dim>                          dry_edges;
-    RowMass<dim>                           row_mass;
-    WallFriction<dim>                      wall_friction;
-    WallContact<dim>                       wall_contact;
-    BlockMatrix<dim>                       matrix;
-    Assembler<dim>                         assembler;
-    LinearSolver<dim>                      linear_solver;
-    VelocityProjection<dim>                velocity_projection;
-    ResidualProjection<dim>                residual_projection;
-    Newton<dim>                            newton;
-    Vector                                 inertia_offset, rate_offset;
-    NewtonResult                           last;
+    const bool              has_pressure;
+    const bool              measures_forces;
+    LinearSolver<dim>       linear_solver;
+    const LinearSystem<dim> system;
+    VelocityProjection<dim> velocity_projection;
+    ResidualProjection<dim> residual_projection;
+    Newton<dim>             newton;
+    Vector                  inertia_offset, rate_offset;
+    NewtonResult            last;
   };
 } // namespace seiche
 

@@ -13,7 +13,7 @@ namespace seiche
   template <int dim>
   class PointCloud;
   template <int dim>
-  class Simulation;
+  class Problem;
 
   /**
    * @brief A run for a program that has no parameter file and takes the steps
@@ -58,9 +58,9 @@ namespace seiche
     const PointCloud<dim> &
     points() const;
 
-    /// Grid, fill and all else.
-    const Simulation<dim> &
-    simulation() const;
+    /// Grid, points, fill and all else that the method works with.
+    const Problem<dim> &
+    problem() const;
 
   private:
     struct Implementation;

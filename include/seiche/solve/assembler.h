@@ -2,12 +2,10 @@
 #ifndef seiche_solve_assembler_h
 #define seiche_solve_assembler_h
 
-#include <seiche/formulation/formulation.h>
-#include <seiche/formulation/ghost_penalty.h>
 #include <seiche/quadrature/quadrature.h>
-#include <seiche/scene/body_force.h>
 #include <seiche/solve/block_matrix.h>
 #include <seiche/solve/step_balance.h>
+#include <seiche/solve/weak_form.h>
 #include <seiche/utilities/timer_tree.h>
 
 #include <tuple>
@@ -27,13 +25,10 @@ namespace seiche
     using Vector      = typename GridState<dim>::Vector;
     using BlockVector = typename GridState<dim>::BlockVector;
 
-    Assembler(const Formulation<dim>      &formulation,
-              const Quadrature<dim>       &quadrature,
-              const Fill<dim>             &fill,
-              const CellMaterials<dim>    &materials,
-              const BodyForce<dim>        &body_force,
-              const FreeSurfaceParameters &free_surface,
-              TimerTree                   &timer);
+    Assembler(const WeakForm<dim>   &weak_form,
+              const Quadrature<dim> &quadrature,
+              const Fill<dim>       &fill,
+              TimerTree             &timer);
 
     /// Scalars of the step, its start (time and velocity) and the nodal offsets
     /// of acceleration and velocity (TimeScheme), which must outlive the step.

@@ -3,8 +3,7 @@
 #define seiche_solve_newton_h
 
 #include <seiche/grid/wall_contact.h>
-#include <seiche/solve/assembler.h>
-#include <seiche/solve/linear_solver.h>
+#include <seiche/solve/linear_system.h>
 #include <seiche/solve/residual_projection.h>
 
 #include <string>
@@ -58,12 +57,11 @@ namespace seiche
   public:
     using BlockVector = typename GridState<dim>::BlockVector;
 
+    /// @p first_forcing: what the first linear solve leaves of its residual.
     Newton(const NewtonParameters  &parameters,
            const double             first_forcing,
-           Assembler<dim>          &assembler,
+           const LinearSystem<dim> &system,
            ResidualProjection<dim> &projection,
-           BlockMatrix<dim>        &matrix,
-           LinearSolver<dim>       &solver,
            WallContact<dim>        &contact);
 
     /// Solve for state.solution, starting at its value; assembler and contact
@@ -134,10 +132,8 @@ namespace seiche
 
     const NewtonParameters   parameters;
     const double             first_forcing;
-    Assembler<dim>          &assembler;
+    const LinearSystem<dim>  system;
     ResidualProjection<dim> &projection;
-    BlockMatrix<dim>        &matrix;
-    LinearSolver<dim>       &solver;
     WallContact<dim>        &contact;
     BlockVector              residual, update;
     BlockVector  residual_change; ///< new less old; A update if linear

@@ -2,8 +2,7 @@
 #ifndef seiche_solve_velocity_projection_h
 #define seiche_solve_velocity_projection_h
 
-#include <seiche/solve/assembler.h>
-#include <seiche/solve/linear_solver.h>
+#include <seiche/solve/linear_system.h>
 
 namespace seiche
 {
@@ -24,10 +23,7 @@ namespace seiche
   {
   public:
     /// References must outlive the object.
-    VelocityProjection(Assembler<dim>    &assembler,
-                       BlockMatrix<dim>  &matrix,
-                       LinearSolver<dim> &solver,
-                       const double       tolerance);
+    VelocityProjection(const LinearSystem<dim> &system, const double tolerance);
 
     /// A projection that stops early but has reduced the violation this much
     /// may be used: the step deals with the rest, and a shorter step would not
@@ -73,10 +69,8 @@ namespace seiche
     void
     find_reactions(GridState<dim> &state, const BlockVector &solution);
 
-    Assembler<dim>    &assembler;
-    BlockMatrix<dim>  &matrix;
-    LinearSolver<dim> &solver;
-    const double       tolerance;
+    const LinearSystem<dim> system;
+    const double            tolerance;
   };
 } // namespace seiche
 

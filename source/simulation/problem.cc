@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/problem.h>
+#include <seiche/utilities/exceptions.h>
+
+#include <fmt/format.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// That of quadrature points which are no material ones.
+    template <int dim>
+    VolumeRatio
+    volume_ratio(const Scene<dim> &scene)
+    {
+      if (scene.formulation.is_mixed() && scene.fluid.is_incompressible())
+        return VolumeRatio::one;
+      return scene.volume_update() == VolumeUpdate::at_the_point ?
+               VolumeRatio::mean :
+               VolumeRatio::linear;
+    }
+
+    template <int dim>
+    bool
+    needs_row_mass(const Scene<dim> &scene)
+    {
+      return scene.postprocessors.measure_forces() ||
+             scene.grid.any_friction() || scene.grid.any_unilateral();
+    }
+  } // namespace
+
+  template <int dim>
+  Problem<dim>::Problem(const PlannedScene<dim> &planned,
+                        TimerTree               &timer,
+                        const Checkpoint        *start,
+                        const MPI_Comm           ranks)
+    : scene(planned.scene)
+    , communicator(ranks)
+    , wall_motion(scene.grid, scene.input, scene.time.end_time)
+    , grid(scene.grid, communicator)
+    , locator(grid)
+    , time_scheme(make_time_scheme<dim>(scene.time_scheme,
+                                        scene.fluid.is_incompressible()))
+    , formulation(
+        make_formulation<dim>(scene.formulation, scene.fluid.volume_law))
+    , points(locator, point_columns(), communicator)
+    , seeding(fill_points(planned.bodies, start))
+    , mesh_adaptation(grid, locator, points, scene.quadrature.has_surface())
+    , occupancy(locator, scene.formulation.degree)
+    , fill(occupancy, scene.quadrature.value(), scene.filled_volume())
+    , materials(scene.materials, occupancy)
+    , density_projection(fill, scene.point_control.density_rate)
+    , point_control(scene.point_control, points, occupancy, fill)
+    , transfer(scene.transfer, fill, materials, scene.volume_update())
+    , tank_motion(scene.make_tank_motion())
+    , body_force(scene.body_force, tank_motion, scene.input)
+    , wall_velocity(scene.grid, scene.input, scene.time.end_time)
+    , wall_conditions(wall_velocity, wall_motion, occupancy)
+    , dry_edges(occupancy)
+    , row_mass(occupancy, needs_row_mass(scene))
+    , wall_friction(occupancy, row_mass)
+    , wall_contact(wall_conditions, occupancy, row_mass, body_force, materials)
+    , quadrature(make_quadrature(points, fill, materials, volume_ratio(scene)))
+    , matrix(occupancy, formulation->has_pressure())
+    , assembler({*formulation, materials, body_force, scene.free_surface},
+                *quadrature,
+                fill,
+                timer)
+  {}
+
+  template <int dim>
+  std::set<PointColumn>
+  Problem<dim>::point_columns() const
+  {
+    auto columns = scene.point_columns();
+    if (carries_acceleration())
+      columns.insert(PointColumn::acceleration);
+    return columns;
+  }
+
+  template <int dim>
+  SeedingResult
+  Problem<dim>::fill_points(const std::vector<FluidBody<dim>> &bodies,
+                            const Checkpoint                  *start)
+  {
+    if (start == nullptr)
+      return seed_bodies(
+        scene.seeding, bodies, scene.input, scene.materials, points);
+    if (wall_motion.any())
+      {
+        double time = 0.;
+        start->state().section("time", [&]() { start->state()("time", time); });
+        locator.move(wall_motion.lines(time));
+      }
+    start->insert_own_points(points);
+    points.locate();
+    if (points.n_global() != start->n_points())
+      throw FileError(fmt::format("{}: {} of its {} points lie in no cell of "
+                                  "the grid.",
+                                  start->filename,
+                                  start->n_points() - points.n_global(),
+                                  start->n_points()));
+    return SeedingResult(); // Simulation::save_or_load() fills it
+  }
+
+  template <int dim>
+  void
+  Problem<dim>::move_grid(const double time)
+  {
+    if (!wall_motion.any())
+      return;
+    locator.move(wall_motion.lines(time));
+    occupancy.update_places();
+  }
+
+  template <int dim>
+  void
+  Problem<dim>::find_cells()
+  {
+    occupancy.update(points);
+    fill.update(points);
+  }
+
+  template <int dim>
+  void
+  Problem<dim>::find_unknowns()
+  {
+    materials.update(points);
+    occupancy.set_linear(fill.linear_cells());
+    matrix.reinit(fill);
+    row_mass.reinit();
+    if (!time_scheme->needs_acceleration())
+      {
+        dry_edges.reinit();
+        wall_friction.reinit();
+      }
+  }
+
+  template <int dim>
+  void
+  Problem<dim>::points_to_grid(GridState<dim> &state) const
+  {
+    state.reinit(occupancy,
+                 formulation->has_pressure(),
+                 carries_acceleration());
+    transfer.points_to_grid(points, state);
+  }
+
+  template <int dim>
+  bool
+  Problem<dim>::carries_acceleration() const
+  {
+    return time_scheme->needs_acceleration() || scene.time.controls_error();
+  }
+
+  template <int dim>
+  double
+  Problem<dim>::wall_way(const double time, const double dt) const
+  {
+    return wall_motion.largest_way(time, dt) / occupancy.smallest_extent();
+  }
+
+  template class Problem<2>;
+  template class Problem<3>;
+} // namespace seiche
