@@ -176,7 +176,7 @@ namespace seiche
   WallContact<dim>::begin_iteration(const StepCoefficients &step,
                                     const Vector           &offset)
   {
-    coefficients = &step;
+    coefficients = step;
     rate_offset  = &offset;
     for (Contact &contact : contacts)
       contact.releases = 0;
@@ -193,7 +193,7 @@ namespace seiche
       {
         const unsigned int i = dim * contact.node + contact.component;
         const double       at_wall =
-          conditions.displacement(i, state, *coefficients, *rate_offset);
+          conditions.displacement(i, state, coefficients, *rate_offset);
         double &u = state.displacement().local_element(i);
         if (change(contact,
                    contact.inward * state.reaction.local_element(i),

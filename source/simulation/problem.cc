@@ -33,10 +33,11 @@ namespace seiche
 
   template <int dim>
   Problem<dim>::Problem(const PlannedScene<dim> &planned,
-                        TimerTree               &timer,
+                        TimerTree               &timer_tree,
                         const Checkpoint        *start,
                         const MPI_Comm           ranks)
     : scene(planned.scene)
+    , timer(timer_tree)
     , communicator(ranks)
     , wall_motion(scene.grid, scene.input, scene.time.end_time)
     , grid(scene.grid, communicator)
@@ -117,8 +118,18 @@ namespace seiche
 
   template <int dim>
   void
+  Problem<dim>::adapt_mesh(const unsigned int n_steps)
+  {
+    const TimerTree::Scope scope(timer, "mesh adaptation");
+    if (n_steps > 0 && mesh_adaptation.update(n_steps))
+      occupancy.reinit();
+  }
+
+  template <int dim>
+  void
   Problem<dim>::find_cells()
   {
+    const TimerTree::Scope scope(timer, "occupancy and fill");
     occupancy.update(points);
     fill.update(points);
   }
@@ -127,6 +138,7 @@ namespace seiche
   void
   Problem<dim>::find_unknowns()
   {
+    const TimerTree::Scope scope(timer, "pattern");
     materials.update(points);
     occupancy.set_linear(fill.linear_cells());
     matrix.reinit(fill);
@@ -142,10 +154,20 @@ namespace seiche
   void
   Problem<dim>::points_to_grid(GridState<dim> &state) const
   {
+    const TimerTree::Scope scope(timer, "points to grid");
     state.reinit(occupancy,
                  formulation->has_pressure(),
                  carries_acceleration());
     transfer.points_to_grid(points, state);
+  }
+
+  template <int dim>
+  void
+  Problem<dim>::update_points()
+  {
+    formulation->update_points(points,
+                               scene.volume_update() ==
+                                 VolumeUpdate::from_the_pressure);
   }
 
   template <int dim>

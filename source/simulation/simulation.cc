@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/simulation.h>
+#include <seiche/simulation/speed_per_cell.h>
 #include <seiche/simulation/step_advice.h>
-#include <seiche/solve/displacement_error.h>
-#include <seiche/utilities/exceptions.h>
+#include <seiche/simulation/step_failure.h>
 #include <seiche/utilities/first_rank.h>
 #include <seiche/utilities/injected_fault.h>
 #include <seiche/utilities/result_names.h>
 
-#include <fmt/format.h>
+#include <limits>
 
 namespace seiche
 {
@@ -92,171 +92,104 @@ namespace seiche
   bool
   Simulation<dim>::advance(const std::function<bool()> &stop_is_wanted)
   {
-    const bool done = step(stop_is_wanted);
-    if (done && !is_empty)
-      postprocess();
-    return done;
-  }
-
-  template <int dim>
-  template <typename Attempt>
-  auto
-  Simulation<dim>::keeping_evidence(const Attempt &attempt)
-  {
-    try
-      {
-        return attempt();
-      }
-    catch (const NumericalError &) // on all ranks
-      {
-        write_failure();
-        throw;
-      }
-  }
-
-  template <int dim>
-  bool
-  Simulation<dim>::step(const std::function<bool()> &stop_is_wanted)
-  {
-    const TimerTree::Scope scope(timer, "step");
-    if (!material_is_found && !find_material())
-      {
-        is_empty = true;
-        return true;
-      }
-    state.time = time_stepper.time();
-    effort     = {};
-    double speed, error; // [1/s], [cells]
     {
-      const TimerTree::Scope scope_size(timer, "step size");
-      speed    = speed_per_cell();
-      state.dt = time_stepper.next_step(speed);
-    }
-    chamber_notices.update(problem.fill.closed_chambers(), state.time);
-    while (true)
+      const TimerTree::Scope scope(timer, "step");
+
+      // initialization: the points give the grid all that it has
+      if (!is_on_grid) // begin() has done it for the first step
+        {
+          locate_points();
+          problem.adapt_mesh(time_stepper.steps());
+          if (problem.points.n_global() == 0)
+            {
+              is_empty = true;
+              return true;
+            }
+          problem.find_cells();
+          control_points();
+          points_to_grid();
+        }
+      begin_step();
+
+      // calculation: the grid moves as the fluid does
+      const auto attempt = [&]() {
+        step_solver.begin(state);
+        step_solver.find_start_velocity(state, start_is_projected());
+        {
+          const TimerTree::Scope scope_newton(timer, "newton");
+          step_solver.predict(state);
+          step_solver.solve(state, time_stepper.is_repeated());
+        }
+        problem.time_scheme->finish(state);
+        check_step();
+      };
+      if (!repeat_until_accepted(attempt, stop_is_wanted))
+        return false;
+      if (problem.tank_motion.any())
+        balance = problem.assembler.balance(state);
+
+      // convection: the points move with the grid
       {
-        const std::string failure =
-          keeping_evidence([&]() { return try_step(); });
-        if (failure.empty())
-          {
-            error                      = step_error();
-            const ErrorVerdict verdict = time_stepper.judge(error);
-            if (verdict == ErrorVerdict::too_large)
-              {
-                state.dt = time_stepper.repeat_for_error(error);
-                continue;
-              }
-            if (verdict == ErrorVerdict::accepted_at_least_size)
-              report.warn("the error of a step exceeds Time/Error tolerance at "
-                          "the smallest size it is cut to",
-                          fmt::format("t = {:.6g} s, {:.3g} s",
-                                      state.time,
-                                      state.dt));
-            break;
-          }
-        halve_step(failure);
-        if (stop_is_wanted())
-          return false;
+        const TimerTree::Scope scope_back(timer, "grid to points");
+        grid_to_points();
+        problem.update_points();
+        if (problem.fill.has_surface())
+          project_density();
+        problem.points.wrap();
+        damage_if_asked(problem.points);
       }
-    if (problem.tank_motion.any())
-      balance = problem.assembler.balance(state);
-    {
-      const TimerTree::Scope scope_back(timer, "grid to points");
-      move_points(speed);
+      time_stepper.accept(record.error);
+      is_on_grid = points_are_controlled = false;
     }
-    time_stepper.accept(error);
-    material_is_found = points_are_controlled = false;
+    postprocess();
     return true;
   }
 
   template <int dim>
   void
-  Simulation<dim>::halve_step(const std::string &failure)
+  Simulation<dim>::control_points()
   {
-    report.warn("a step was repeated with half its size",
-                fmt::format("t = {:.6g} s: {}", state.time, failure));
-    state.dt = keeping_evidence([&]() { return time_stepper.repeat(failure); });
+    if (time_stepper.steps() == 0 || points_are_controlled)
+      return;
+    const TimerTree::Scope scope(timer, "point control");
+    problem.point_control.update();
+    points_are_controlled = true;
   }
 
   template <int dim>
   void
-  Simulation<dim>::locate_points()
+  Simulation<dim>::points_to_grid()
   {
-    try
-      {
-        problem.points.locate();
-      }
-    catch (const NumericalError &error) // on all ranks
-      {
-        write_failed_points();
-        throw NumericalError(fmt::format("t = {:.6g} s: {} {}",
-                                         time_stepper.time(),
-                                         error.what(),
-                                         time_stepper.what_may_help()));
-      }
-  }
-
-  template <int dim>
-  bool
-  Simulation<dim>::find_material()
-  {
-    {
-      const TimerTree::Scope scope(timer, "locate");
-      problem.move_grid(time_stepper.time());
-      locate_points();
-    }
-    {
-      const TimerTree::Scope scope(timer, "mesh adaptation");
-      if (time_stepper.steps() > 0 &&
-          problem.mesh_adaptation.update(time_stepper.steps()))
-        problem.occupancy.reinit();
-    }
-    if (problem.points.n_global() == 0)
-      return false;
-    {
-      const TimerTree::Scope scope(timer, "occupancy and fill");
-      problem.find_cells();
-    }
-    if (time_stepper.steps() > 0 && !points_are_controlled)
-      {
-        const TimerTree::Scope scope(timer, "point control");
-        problem.point_control.update();
-        points_are_controlled = true;
-      }
-    {
-      const TimerTree::Scope scope(timer, "pattern");
-      problem.find_unknowns();
-    }
-    const TimerTree::Scope scope(timer, "points to grid");
+    problem.find_unknowns();
     problem.points_to_grid(state);
-    material_is_found = true;
-    occupied_max =
-      std::max(occupied_max, problem.occupancy.n_global_occupied_cells());
+    is_on_grid                      = true;
+    const Occupancy<dim> &occupancy = problem.occupancy;
+    occupied_max = std::max(occupied_max, occupancy.n_global_occupied_cells());
     unknowns_max =
       std::max<std::uint64_t>(unknowns_max,
-                              problem.occupancy.n_global_nodes() *
+                              occupancy.n_global_nodes() *
                                 (dim + problem.formulation->has_pressure()));
-    return true;
   }
 
   template <int dim>
-  std::string
-  Simulation<dim>::try_step()
+  void
+  Simulation<dim>::begin_step()
   {
-    const bool projects =
-      scene.time.projects_each_step() || time_stepper.steps() == 0;
-    const std::string failure =
-      step_solver.solve(state, projects, time_stepper.is_repeated());
-    effort.newton += step_solver.effort().iterations;
-    effort.krylov += step_solver.effort().krylov_iterations;
-    newton_total += step_solver.effort().iterations;
-    krylov_total += step_solver.effort().krylov_iterations;
-    if (!failure.empty())
-      return failure;
-    const TimerTree::Scope scope(timer, "acceptance");
-    const double           limit = largest_way();
-    return problem.transfer.check(state, problem.points, limit)
-      .problem(limit, scene.time.accepts_failing_steps());
+    record     = {};
+    state.time = time_stepper.time();
+    {
+      const TimerTree::Scope scope(timer, "step size");
+      record.speed = speed_per_cell(problem, state.time);
+      state.dt     = time_stepper.next_step(record.speed);
+    }
+    chamber_notices.update(problem.fill.closed_chambers(), state.time);
+  }
+
+  template <int dim>
+  bool
+  Simulation<dim>::start_is_projected() const
+  {
+    return scene.time.projects_each_step() || time_stepper.steps() == 0;
   }
 
   template <int dim>
@@ -269,66 +202,41 @@ namespace seiche
 
   template <int dim>
   void
-  Simulation<dim>::move_points(const double speed_per_cell)
+  Simulation<dim>::check_step()
   {
-    const bool        accepts = scene.time.accepts_failing_steps();
-    const std::size_t n_held  = problem.transfer.grid_to_points(
-      state,
-      problem.points,
-      accepts ? largest_way() : std::numeric_limits<double>::infinity());
-    problem.formulation->update_points(problem.points,
-                                       scene.volume_update() ==
-                                         VolumeUpdate::from_the_pressure);
-    if (problem.fill.has_surface())
-      {
-        const TimerTree::Scope scope(timer, "density projection");
-        problem.density_projection.apply(
-          std::max(speed_per_cell, step_solver.fall_rate()) * state.dt,
-          problem.wall_motion.box(state.time + state.dt),
-          problem.points);
-      }
-    problem.points.wrap();
-    damage_if_asked(problem.points);
+    const TimerTree::Scope scope(timer, "acceptance");
+    const double           limit = largest_way();
+    const std::string      failure =
+      problem.transfer.check(state, problem.points, limit)
+        .problem(limit, scene.time.accepts_failing_steps());
+    if (!failure.empty())
+      throw StepFailure(failure);
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::grid_to_points()
+  {
+    const bool   accepts = scene.time.accepts_failing_steps();
+    const double limit =
+      accepts ? largest_way() : std::numeric_limits<double>::infinity();
+    const std::size_t n_held =
+      problem.transfer.grid_to_points(state, problem.points, limit);
     if (accepts)
       accepted_failures.account(
         step_solver.effort(), n_held, state.time, communicator, report);
   }
 
   template <int dim>
-  double
-  Simulation<dim>::step_error() const
+  void
+  Simulation<dim>::project_density()
   {
-    if (!scene.time.controls_error() || time_stepper.previous_step() == 0.)
-      return 0.;
-    const double lag = problem.time_scheme->pressure_time();
-    return displacement_error(state,
-                              problem.time_scheme->error_constant(),
-                              lag * state.dt +
-                                (1. - lag) * time_stepper.previous_step()) /
-           problem.occupancy.smallest_extent();
-  }
-
-  template <int dim>
-  double
-  Simulation<dim>::speed_per_cell() const
-  {
-    double largest = 0.;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const double *velocity = problem.points.data(PointColumn::velocity, d);
-        for (const unsigned int cell : problem.occupancy.occupied_cells())
-          {
-            double speed = 0.;
-            for (const std::size_t p : problem.points.points_in(cell))
-              speed = std::max(speed, std::abs(velocity[p]));
-            largest = std::max(largest, speed / problem.locator.reach(cell)[d]);
-          }
-      }
-    // now and over a step, which may take a wall there and back
-    for (const double dt : {1e-3 * scene.time.step, scene.time.step})
-      largest =
-        std::max(largest, problem.wall_way(time_stepper.time(), dt) / dt);
-    return Utilities::MPI::max(largest, communicator);
+    const TimerTree::Scope scope(timer, "density projection");
+    const double rate = std::max(record.speed, step_solver.fall_rate());
+    problem.density_projection.apply(rate * state.dt,
+                                     problem.wall_motion.box(state.time +
+                                                             state.dt),
+                                     problem.points);
   }
 
   template class Simulation<2>;

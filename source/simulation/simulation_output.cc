@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a run says and writes.
-#include <seiche/postprocess/grid_output.h>
-#include <seiche/postprocess/nodal_pressure.h>
-#include <seiche/postprocess/point_output.h>
 #include <seiche/simulation/simulation.h>
 #include <seiche/simulation/summary_file.h>
-#include <seiche/utilities/checked_file.h>
-#include <seiche/utilities/first_rank.h>
-#include <seiche/utilities/result_names.h>
 
 #include <fmt/format.h>
 
@@ -36,19 +30,6 @@ namespace seiche
                                        "obstacles or earlier bodies",
                                        missing) :
                            "");
-    }
-
-    /// Where the frame of a failure goes: made here. Collective.
-    FrameSettings
-    failure_folder(const std::string &directory, const MPI_Comm communicator)
-    {
-      const FrameSettings settings{directory + "/" + result_names::failure,
-                                   /*interval=*/1.,
-                                   /*end_time=*/0.};
-      on_first_rank(communicator, [&]() {
-        checked_file::make_directory(settings.directory);
-      });
-      return settings;
     }
   } // namespace
 
@@ -89,8 +70,8 @@ namespace seiche
     view.pressure_theta    = at_end ? 1. : view.theta;
     view.half_spacing      = problem.seeding.half_spacing;
     view.box               = problem.wall_motion.box(view.time);
-    view.newton_iterations = effort.newton;
-    view.krylov_iterations = effort.krylov;
+    view.newton_iterations = record.newton;
+    view.krylov_iterations = record.krylov;
     view.tank =
       problem.tank_motion.any() ? &problem.tank_motion.at(view.time) : nullptr;
     view.balance       = balance;
@@ -112,8 +93,8 @@ namespace seiche
          time,
          dt,
          now.pressure_time,
-         static_cast<double>(effort.newton),
-         static_cast<double>(effort.krylov),
+         static_cast<double>(record.newton),
+         static_cast<double>(record.krylov),
          static_cast<double>(problem.occupancy.n_global_occupied_cells())};
     if (scene.time.controls_error())
       values.push_back(time_stepper.error());
@@ -133,7 +114,7 @@ namespace seiche
                               alarm.is_of_pace ? report.time_left() : ""));
     const double energy = scene.postprocessors.relative_energy();
     if (step > 0)
-      report.progress(time, dt, effort.newton, effort.krylov, energy);
+      report.progress(time, dt, record.newton, record.krylov, energy);
     const bool is_isolated =
       (problem.body_force.is_constant() || problem.tank_motion.any()) &&
       !problem.walls_move();
@@ -145,32 +126,6 @@ namespace seiche
       report.warn("the energy has risen by more than 10 % of that at the "
                   "start: the run is unstable or far too coarse",
                   fmt::format("t = {:.6g} s, {:.3g}", time, gain));
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::write_failed_points()
-  {
-    PointOutput<dim>(failure_folder(directory, communicator), communicator)
-      .execute(step_view(/*dt=*/0.), statistics);
-  }
-
-  template <int dim>
-  void
-  Simulation<dim>::write_failure()
-  {
-    state.velocity_np1 = state.velocity_n; // nothing has moved
-    state.velocity_np1.update_ghost_values();
-    state.solution = 0.;
-    if (state.has_pressure())
-      state.pressure() = state.pressure_guess;
-    state.solution.update_ghost_values();
-    const StepView<dim> before = step_view(/*dt=*/0.);
-    GridOutput<dim>(failure_folder(directory, communicator),
-                    std::make_shared<NodalPressure<dim>>(),
-                    communicator)
-      .execute(before, statistics);
-    write_failed_points();
   }
 
   template <int dim>
@@ -216,14 +171,6 @@ namespace seiche
   Simulation<2>::step_view(const double) const;
   template StepView<3>
   Simulation<3>::step_view(const double) const;
-  template void
-  Simulation<2>::write_failed_points();
-  template void
-  Simulation<3>::write_failed_points();
-  template void
-  Simulation<2>::write_failure();
-  template void
-  Simulation<3>::write_failure();
   template void
   Simulation<2>::postprocess();
   template void

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/wall_impulse.h>
+#include <seiche/simulation/step_failure.h>
 #include <seiche/simulation/step_solver.h>
+#include <seiche/solve/displacement_error.h>
 #include <seiche/utilities/exceptions.h>
 
 #include <fmt/format.h>
@@ -70,56 +72,13 @@ namespace seiche
   }
 
   template <int dim>
-  std::string
-  StepSolver<dim>::solve(GridState<dim> &state,
-                         const bool      projects,
-                         const bool      is_repeated)
+  void
+  StepSolver<dim>::begin(GridState<dim> &state)
   {
-    last = NewtonResult();
-    if (const std::string failure = problem_of_walls(state); !failure.empty())
-      return failure;
-    problem.dry_edges.update(state);
-    const StepCoefficients step = problem.time_scheme->coefficients(state.dt);
-    linear_solver.begin_step();
-    if (const std::string failure = find_start_velocity(state, step, projects);
-        !failure.empty())
-      return failure;
-    find_start_reaction(state, projects);
-    {
-      const TimerTree::Scope scope(timer, "newton");
-      problem.time_scheme->predict(state);
-      if (const auto *closed = problem.assembler.closed_chambers())
-        {
-          closed->level_pressure(state.solution.block(1));
-          state.solution.update_ghost_values();
-        }
-      inertia_offset.reinit(problem.occupancy.vector_partitioner());
-      rate_offset.reinit(problem.occupancy.vector_partitioner());
-      problem.time_scheme->offsets(state,
-                                   state.dt,
-                                   inertia_offset,
-                                   rate_offset);
-      problem.wall_conditions.set_displacement(state, step, rate_offset);
-      problem.wall_contact.begin_iteration(step, rate_offset);
-      problem.assembler.begin(step, state, inertia_offset, rate_offset);
-      const unsigned int of_projection = last.krylov_iterations;
-      const bool         accepts = problem.scene.time.accepts_failing_steps();
-      last = newton.solve(state, if_unconverged(accepts, is_repeated));
-      last.krylov_iterations += of_projection;
-      if (!last.converged && !(accepts && last.is_usable))
-        return last.failure;
-    }
-    problem.time_scheme->finish(state);
-    return "";
-  }
-
-  template <int dim>
-  std::string
-  StepSolver<dim>::problem_of_walls(const GridState<dim> &state) const
-  {
+    last             = NewtonResult();
     const double way = problem.wall_way(state.time, state.dt);
     if (way > largest_wall_way * problem.scene.time.maximum_displacement)
-      return fmt::format("a wall moves by {:.3g} cells", way);
+      throw StepFailure(fmt::format("a wall moves by {:.3g} cells", way));
     if (problem.wall_motion.any() && walls_squeeze_chamber(state))
       throw NumericalError(fmt::format(
         "t = {:.6g} s: walls change the volume of a chamber that is full of "
@@ -127,7 +86,8 @@ namespace seiche
         "lid is not seen. Leave room above the fluid, choose smaller cells or "
         "open a wall.",
         state.time));
-    return "";
+    problem.dry_edges.update(state);
+    linear_solver.begin_step();
   }
 
   template <int dim>
@@ -153,41 +113,48 @@ namespace seiche
   }
 
   template <int dim>
-  std::string
-  StepSolver<dim>::find_start_velocity(GridState<dim>         &state,
-                                       const StepCoefficients &coefficients,
-                                       const bool              projects)
+  void
+  StepSolver<dim>::find_start_velocity(GridState<dim> &state,
+                                       const bool      projects)
   {
+    const bool is_projected = has_pressure && projects;
     problem.wall_contact.begin(state, problem.assembler.closed_chambers());
-    while (true)
+    do // until the walls hold what the projection presses on them
       {
         problem.wall_conditions.set_start_velocity(state);
         problem.wall_friction.apply(state);
-        if (!has_pressure || !projects)
-          return "";
-        const TimerTree::Scope scope(timer, "velocity projection");
-        const LinearResult     result = velocity_projection.apply(
-          state, coefficients, problem.wall_contact.any() || measures_forces);
-        last.krylov_iterations += result.iterations;
-        if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
-          return result.is_singular ?
-                   result.problem() :
-                   "the velocity projection did not converge";
-        if (!result.converged)
-          report.warn("a velocity projection stopped early",
-                      fmt::format("t = {:.6g} s: {:.1e} of the violation is "
-                                  "left",
-                                  state.time,
-                                  result.reduction));
-        if (!problem.wall_contact.correct_start(state))
-          return "";
+        if (is_projected)
+          project_start_velocity(state);
       }
+    while (is_projected && problem.wall_contact.correct_start(state));
+    find_start_reaction(state, is_projected);
+  }
+
+  template <int dim>
+  void
+  StepSolver<dim>::project_start_velocity(GridState<dim> &state)
+  {
+    const TimerTree::Scope scope(timer, "velocity projection");
+    const LinearResult     result =
+      velocity_projection.apply(state,
+                                problem.time_scheme->coefficients(state.dt),
+                                problem.wall_contact.any() || measures_forces);
+    last.krylov_iterations += result.iterations;
+    if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
+      throw StepFailure(result.is_singular ?
+                          result.problem() :
+                          "the velocity projection did not converge");
+    if (!result.converged)
+      report.warn("a velocity projection stopped early",
+                  fmt::format("t = {:.6g} s: {:.1e} of the violation is left",
+                              state.time,
+                              result.reduction));
   }
 
   template <int dim>
   void
   StepSolver<dim>::find_start_reaction(GridState<dim> &state,
-                                       const bool      projects) const
+                                       const bool      is_projected) const
   {
     if (!measures_forces)
       return;
@@ -196,8 +163,55 @@ namespace seiche
       // walls give their velocity first, then the projection pushes
       state.start_reaction.local_element(i) =
         wall_impulse(state, problem.row_mass, i) +
-        (has_pressure && projects ? state.reaction.local_element(i) : 0.);
+        (is_projected ? state.reaction.local_element(i) : 0.);
     });
+  }
+
+  template <int dim>
+  void
+  StepSolver<dim>::predict(GridState<dim> &state)
+  {
+    const TimeScheme<dim> &scheme = *problem.time_scheme;
+    const StepCoefficients step   = scheme.coefficients(state.dt);
+    scheme.predict(state);
+    if (const auto *closed = problem.assembler.closed_chambers())
+      {
+        closed->level_pressure(state.solution.block(1));
+        state.solution.update_ghost_values();
+      }
+    inertia_offset.reinit(problem.occupancy.vector_partitioner());
+    rate_offset.reinit(problem.occupancy.vector_partitioner());
+    scheme.offsets(state, state.dt, inertia_offset, rate_offset);
+    problem.wall_conditions.set_displacement(state, step, rate_offset);
+    problem.wall_contact.begin_iteration(step, rate_offset);
+    problem.assembler.begin(step, state, inertia_offset, rate_offset);
+  }
+
+  template <int dim>
+  void
+  StepSolver<dim>::solve(GridState<dim> &state, const bool is_repeated)
+  {
+    const bool         accepts = problem.scene.time.accepts_failing_steps();
+    const unsigned int of_projection = last.krylov_iterations;
+    last = newton.solve(state, if_unconverged(accepts, is_repeated));
+    last.krylov_iterations += of_projection;
+    if (!last.converged && !(accepts && last.is_usable))
+      throw StepFailure(last.failure);
+  }
+
+  template <int dim>
+  double
+  StepSolver<dim>::local_error(const GridState<dim> &state,
+                               const double          previous_step) const
+  {
+    if (!problem.scene.time.controls_error() || previous_step == 0.)
+      return 0.;
+    const TimeScheme<dim> &scheme = *problem.time_scheme;
+    const double           lag    = scheme.pressure_time();
+    return displacement_error(state,
+                              scheme.error_constant(),
+                              lag * state.dt + (1. - lag) * previous_step) /
+           problem.occupancy.smallest_extent();
   }
 
   template class StepSolver<2>;

@@ -61,7 +61,7 @@ namespace seiche
     bool
     correct_start(const GridState<dim> &state);
 
-    /// Before Newton's iteration; references must outlive it.
+    /// Before Newton's iteration; @p rate_offset must outlive it.
     void
     begin_iteration(const StepCoefficients &coefficients,
                     const Vector           &rate_offset);
@@ -115,8 +115,8 @@ namespace seiche
     const bool                 exists;
     unsigned int               projections = 0; ///< of this attempt
     std::vector<Contact>       contacts;
-    const StepCoefficients    *coefficients = nullptr;
-    const Vector              *rate_offset  = nullptr;
+    StepCoefficients           coefficients;
+    const Vector              *rate_offset = nullptr;
   };
 } // namespace seiche
 

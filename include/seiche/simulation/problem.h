@@ -44,6 +44,11 @@ namespace seiche
     void
     move_grid(const double time);
 
+    /// Cells as fine as located points want them after this number of steps.
+    /// Collective.
+    void
+    adapt_mesh(const unsigned int n_steps);
+
     /// Occupied cells and fill, from located points. Collective.
     void
     find_cells();
@@ -56,6 +61,11 @@ namespace seiche
     /// Fields of the points at the nodes, all others zero. Collective.
     void
     points_to_grid(GridState<dim> &state) const;
+
+    /// What the formulation keeps at the points, from what grid to points has
+    /// left there. Local.
+    void
+    update_points();
 
     /// True if the points keep the acceleration of the step before.
     bool
@@ -74,6 +84,7 @@ namespace seiche
     wall_way(const double time, const double dt) const;
 
     const Scene<dim> &scene;
+    TimerTree        &timer;
     const MPI_Comm    communicator;
 
     // grid and material points

@@ -102,31 +102,48 @@ namespace seiche
     }
 
   private:
-    /// False as in advance().
-    bool
-    step(const std::function<bool()> &stop_is_wanted);
+    // what advance() consists of; collective
 
-    /// Occupied cells, fill, nodal fields of the points where they are. False
-    /// if no fluid is left. Collective.
-    bool
-    find_material();
+    /// NumericalError, with a frame and advice, if one is lost.
+    void
+    locate_points();
 
-    /// One attempt at the step with state.dt; empty, or why it failed.
-    std::string
-    try_step();
+    /// Shifting and reseeding, once a step.
+    void
+    control_points();
+
+    void
+    points_to_grid();
+
+    /// Time and size of the step.
+    void
+    begin_step();
+
+    /// True if the start velocity is to satisfy the constraint.
+    bool
+    start_is_projected() const;
+
+    /// Is @p attempt() at the step done? It is repeated with a smaller size
+    /// while it throws StepFailure or its error is too large. NumericalError
+    /// if there is no smaller size; false as in advance().
+    bool
+    repeat_until_accepted(const std::function<void()> &attempt,
+                          const std::function<bool()> &stop_is_wanted);
+
+    /// StepFailure if points cannot move as the grid has.
+    void
+    check_step();
 
     /// Of a point in the step [cells]: walls that move take a part of it.
     double
     largest_way() const;
 
-    /// The step's result to the points. Collective.
     void
-    move_points(const double speed_per_cell);
+    grid_to_points();
 
-    /// Local error of the step's displacements [cells], 0 if it is of no use
-    /// or unknown.
-    double
-    step_error() const;
+    /// Points that have come too close to one another move apart.
+    void
+    project_density();
 
     /// Velocity (and acceleration, pressure) that fit the constraint.
     void
@@ -139,33 +156,18 @@ namespace seiche
     void
     postprocess();
 
-    /// After a try that failed. NumericalError if there is no smaller step.
-    /// Collective.
+    /// Of the last attempt.
     void
-    halve_step(const std::string &failure);
-
-    /// @p attempt(), and write_failure() if that throws NumericalError (on all
-    /// ranks). Collective.
-    template <typename Attempt>
-    auto
-    keeping_evidence(const Attempt &attempt);
+    count_iterations();
 
     /// The points and cells of a step that cannot be done, as they are at its
     /// start, into the folder "failure" of the output. Collective.
     void
     write_failure();
 
-    /// NumericalError, with a frame and advice, if one is lost. Collective.
-    void
-    locate_points();
-
     /// The points alone, as they are: where one of them is lost. Collective.
     void
     write_failed_points();
-
-    /// Largest speed over the cell edge [1/s], all ranks.
-    double
-    speed_per_cell() const;
 
     /// All that is carried from step to step but the points (and, within the
     /// solver's tolerance, which tangents Newton makes anew). Collective.
@@ -193,16 +195,18 @@ namespace seiche
 
     StepBalance<dim> balance; ///< of the last step, if the tank moves
 
-    bool material_is_found     = false; ///< where the points are now
+    bool is_on_grid            = false; ///< what the points carry now
     bool points_are_controlled = false; ///< PointControl has seen to them
     bool is_empty              = false; ///< all fluid has left
 
-    /// Iterations of a step, all tries.
-    struct Effort
+    /// What the last step has come to.
+    struct StepRecord
     {
-      unsigned int newton = 0, krylov = 0;
+      unsigned int newton = 0, krylov = 0; ///< iterations of all attempts
+      double       speed = 0.; ///< of points and walls over cells [1/s]
+      double       error = 0.; ///< StepSolver::local_error() [cells]
     };
-    Effort effort; ///< of the last step
+    StepRecord record;
 
     std::uint64_t newton_total = 0, krylov_total = 0;
     std::uint64_t occupied_max = 0, unknowns_max = 0;

@@ -9,7 +9,6 @@
 #include <seiche/utilities/timer_tree.h>
 
 #include <cmath>
-#include <string>
 
 namespace seiche
 {
@@ -31,14 +30,31 @@ namespace seiche
     void
     find_consistent_start(GridState<dim> &state);
 
-    /**
-     * One attempt at the step of state.time and state.dt; empty, or why it
-     * failed. @p projects: whether the start velocity is to satisfy the
-     * constraint; @p is_repeated: not the step's first attempt, so that Newton
-     * may take its time. Collective.
-     */
-    std::string
-    solve(GridState<dim> &state, const bool projects, const bool is_repeated);
+    // An attempt at the step of state.time and state.dt, in this order. Each
+    // throws StepFailure if a smaller step may help. Collective.
+
+    /// NumericalError if walls forbid steps of any size.
+    void
+    begin(GridState<dim> &state);
+
+    /// state.velocity_start, which fits the walls and, if @p projects, the
+    /// constraint; state.start_reaction, if forces are measured.
+    void
+    find_start_velocity(GridState<dim> &state, const bool projects);
+
+    /// First guess of the solution, and what Newton's iteration starts with.
+    void
+    predict(GridState<dim> &state);
+
+    /// Displacement and pressure. @p is_repeated: not the step's first attempt,
+    /// so that Newton may take its time.
+    void
+    solve(GridState<dim> &state, const bool is_repeated);
+
+    /// Local error of the step's displacements [cells], from @p previous_step
+    /// [s]; 0 if it is of no use or unknown. Collective.
+    double
+    local_error(const GridState<dim> &state, const double previous_step) const;
 
     /// Iterations of the last attempt.
     const NewtonResult &
@@ -64,26 +80,18 @@ namespace seiche
     }
 
   private:
-    /// Why the walls forbid the step; empty: they do not. NumericalError if no
-    /// smaller step would help.
-    std::string
-    problem_of_walls(const GridState<dim> &state) const;
-
     /// True if the step would change the volume of a closed chamber.
     bool
     walls_squeeze_chamber(const GridState<dim> &state) const;
 
-    /// Start velocity of a step that satisfies the walls and, if @p projects,
-    /// the constraint; empty, or why not.
-    std::string
-    find_start_velocity(GridState<dim>         &state,
-                        const StepCoefficients &coefficients,
-                        const bool              projects);
-
-    /// state.start_reaction, if forces are measured, once the start velocity
-    /// is found.
+    /// The start velocity, which fits the walls, to the constraint as well.
     void
-    find_start_reaction(GridState<dim> &state, const bool projects) const;
+    project_start_velocity(GridState<dim> &state);
+
+    /// state.start_reaction, if forces are measured. @p is_projected: what the
+    /// walls give in the projection is in state.reaction.
+    void
+    find_start_reaction(GridState<dim> &state, const bool is_projected) const;
 
     using Vector = typename GridState<dim>::Vector;
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/simulation/speed_per_cell.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace seiche
+{
+  template <int dim>
+  double
+  speed_per_cell(const Problem<dim> &problem, const double time)
+  {
+    const PointCloud<dim> &points  = problem.points;
+    double                 largest = 0.;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double *velocity = points.data(PointColumn::velocity, d);
+        for (const unsigned int cell : problem.occupancy.occupied_cells())
+          {
+            double speed = 0.;
+            for (const std::size_t p : points.points_in(cell))
+              speed = std::max(speed, std::abs(velocity[p]));
+            largest = std::max(largest, speed / problem.locator.reach(cell)[d]);
+          }
+      }
+    // now and over a step, which may take a wall there and back
+    const double step = problem.scene.time.step;
+    for (const double dt : {1e-3 * step, step})
+      largest = std::max(largest, problem.wall_way(time, dt) / dt);
+    return dealii::Utilities::MPI::max(largest, problem.communicator);
+  }
+
+  template double
+  speed_per_cell(const Problem<2> &, const double);
+  template double
+  speed_per_cell(const Problem<3> &, const double);
+} // namespace seiche
