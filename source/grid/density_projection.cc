@@ -96,7 +96,8 @@ namespace seiche
         laplacian.reinit(occupancy.locator.geometry(cell).edges);
         const unsigned int *nodes = occupancy.cell_nodes(cell);
         for (unsigned int v = 0; v < laplacian.n; ++v)
-          inverse_diagonal.local_element(nodes[occupancy.vertex_node(v)]) +=
+          inverse_diagonal.local_element(
+            nodes[vertex_node<dim>(occupancy.fe.degree, v)]) +=
             laplacian.K[v][v];
       }
     inverse_diagonal.compress(VectorOperation::add);
@@ -107,7 +108,7 @@ namespace seiche
         const double diagonal = inverse_diagonal.local_element(i);
         const bool   free = diagonal > 0. && occupancy.node_volume(i) > 0. &&
                           ((inside.local_element(i) > least_inside &&
-                            !occupancy.leaves_wall(i)) ||
+                            !occupancy.constraints.leaves_wall(i)) ||
                            f.local_element(i) > 1.);
         all_free                 = all_free && (free || diagonal == 0.);
         is_free.local_element(i) = free;

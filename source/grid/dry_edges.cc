@@ -29,13 +29,14 @@ namespace seiche
           // for a hanging node: with degree 1 its master in the same corner
           const unsigned int node = occupancy.cell_nodes(cell)[a];
           if (node >= occupancy.n_own_nodes() ||
-              occupancy.wall_components(node) == 0)
+              occupancy.constraints.wall_components(node) == 0)
             continue;
           has_fluid[node] = 1;
-          if (occupancy.fe.degree > 1 && occupancy.hanging().hangs(cell, a))
+          if (occupancy.fe.degree > 1 &&
+              occupancy.mesh_nodes.hanging.hangs(cell, a))
             wet[node] = ~0u; // masters lie elsewhere: all stays fixed
           for (const unsigned int face : GeometryInfo<dim>::face_indices())
-            if (occupancy.line_index(a, face / 2) ==
+            if (line_index<dim>(occupancy.fe.degree, a, face / 2) ==
                   (face % 2) * occupancy.fe.degree &&
                 locator.boundary_id(cell, face) !=
                   numbers::internal_face_boundary_id)
@@ -57,7 +58,7 @@ namespace seiche
   {
     unsigned int slip = 0, other = 0;
     for (const auto &[wall, component, sides, cell, is_normal] :
-         occupancy.walls_at(node))
+         occupancy.constraints.walls_at(node))
       if (wall >= 2 * dim && (sides == 1u || sides == 2u) &&
           occupancy.locator.grid.wall_condition(wall) != WallCondition::no_slip)
         slip |= 1u << component;
@@ -75,7 +76,7 @@ namespace seiche
     unsigned int result = dim;
     double       least  = std::numeric_limits<double>::max();
     for (const auto &[wall, component, sides, cell, is_normal] :
-         occupancy.walls_at(node))
+         occupancy.constraints.walls_at(node))
       if ((components >> component) & 1u)
         {
           const double speed =
@@ -109,9 +110,9 @@ namespace seiche
             if (slowest < dim)
               free &= ~(1u << slowest);
           }
-        occupancy.set_dry(node, free);
+        occupancy.constraints.set_dry(node, free);
       }
-    occupancy.share_fixed();
+    occupancy.constraints.share();
   }
 
   template class DryEdges<2>;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/fill.h>
+#include <seiche/mesh/assembled_faces.h>
 
 #include <algorithm>
 #include <numeric>
@@ -201,7 +202,8 @@ namespace seiche
              inside_share(cell) < fragment_below;
     };
     faces.clear();
-    occupancy.for_each_assembled_face(
+    for_each_assembled_face(
+      occupancy.locator,
       occupancy.occupied_cells(),
       [&](const unsigned int cell) { return occupancy.is_occupied(cell); },
       [&](const unsigned int lower,

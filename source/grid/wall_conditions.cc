@@ -22,7 +22,7 @@ namespace seiche
   {
     double slowest = std::numeric_limits<double>::infinity();
     for (const auto &[wall, c, sides, cell, is_normal] :
-         occupancy.walls_at(node))
+         occupancy.constraints.walls_at(node))
       if (c == component)
         {
           const double v =
@@ -39,7 +39,7 @@ namespace seiche
                             const unsigned int component) const
   {
     for (const auto &[wall, c, sides, cell, is_normal] :
-         occupancy.walls_at(node))
+         occupancy.constraints.walls_at(node))
       if (c == component && wall < 2 * dim && wall / 2 == component)
         return wall;
     return dealii::numbers::invalid_unsigned_int;
@@ -89,7 +89,7 @@ namespace seiche
   WallConditions<dim>::set_start_velocity(GridState<dim> &state) const
   {
     state.velocity_start = state.velocity_n;
-    occupancy.for_each_fixed([&](const unsigned int i) {
+    occupancy.constraints.for_each_fixed([&](const unsigned int i) {
       state.velocity_start.local_element(i) = velocity(i, state.time, state.dt);
     });
     state.velocity_start.update_ghost_values();
@@ -104,7 +104,7 @@ namespace seiche
   {
     if (!moving)
       return;
-    occupancy.for_each_fixed([&](const unsigned int i) {
+    occupancy.constraints.for_each_fixed([&](const unsigned int i) {
       state.displacement().local_element(i) =
         displacement(i, state, coefficients, rate_offset);
     });

@@ -48,12 +48,13 @@ namespace seiche
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         {
-          bool unilateral = ((occupancy.dry_components(node) >> c) & 1u) == 0 &&
-                            (closed == nullptr || !closed->holds_node(node));
+          bool unilateral =
+            ((occupancy.constraints.dry_components(node) >> c) & 1u) == 0 &&
+            (closed == nullptr || !closed->holds_node(node));
           unsigned int sides  = 0;
           double       extent = std::numeric_limits<double>::max();
           double       width  = extent;
-          for (const auto &entry : occupancy.walls_at(node))
+          for (const auto &entry : occupancy.constraints.walls_at(node))
             if (entry.component == c)
               {
                 unilateral =
@@ -108,12 +109,12 @@ namespace seiche
         const double       velocity =
           contact.inward * (state.velocity_n.local_element(i) -
                             conditions.velocity(i, state.time, state.dt));
-        occupancy.set_released(contact.node,
-                               contact.component,
-                               mass * velocity / state.dt >
-                                 contact.pressing + contact.margin);
+        occupancy.constraints.set_released(contact.node,
+                                           contact.component,
+                                           mass * velocity / state.dt >
+                                             contact.pressing + contact.margin);
       }
-    occupancy.share_fixed();
+    occupancy.constraints.share();
   }
 
   template <int dim>
@@ -129,7 +130,9 @@ namespace seiche
     if (!release && !fix)
       return false;
     contact.releases += release;
-    occupancy.set_released(contact.node, contact.component, release);
+    occupancy.constraints.set_released(contact.node,
+                                       contact.component,
+                                       release);
     return true;
   }
 
@@ -141,7 +144,7 @@ namespace seiche
       occupancy.scalar_partitioner()->get_mpi_communicator();
     if (Utilities::MPI::max(changed ? 1 : 0, communicator) == 0)
       return false;
-    occupancy.share_fixed();
+    occupancy.constraints.share();
     return true;
   }
 

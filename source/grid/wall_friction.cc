@@ -93,7 +93,7 @@ namespace seiche
                            typename std::vector<Contact>::const_iterator end)
   {
     const unsigned int node  = begin->node;
-    const unsigned int fixed = occupancy.fixed_components(node);
+    const unsigned int fixed = occupancy.constraints.fixed_components(node);
     const auto         holds = [&](const Contact &contact) {
       return (fixed >> contact.component) & 1u;
     };

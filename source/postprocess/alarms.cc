@@ -66,7 +66,7 @@ namespace seiche
     {
       typename Occupancy<dim>::Vector result(occupancy.scalar_partitioner());
       for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
-        result.local_element(node) = occupancy.leaves_wall(node);
+        result.local_element(node) = occupancy.constraints.leaves_wall(node);
       result.update_ghost_values();
       return result;
     }

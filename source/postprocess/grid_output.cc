@@ -24,10 +24,10 @@ namespace seiche
       PointBatch<dim, 1, double> point;
       double                     at_vertex[point.n_nodes];
       for (unsigned int v = 0; v < point.n_nodes; ++v)
-        at_vertex[v] = data(row, occupancy.vertex_node(v));
+        at_vertex[v] = data(row, vertex_node<dim>(occupancy.fe.degree, v));
       for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
         {
-          point.reinit_values(occupancy.unit_place(a));
+          point.reinit_values(unit_place<dim>(occupancy.fe.degree, a));
           data(row, a) = point.value(at_vertex);
         }
     }

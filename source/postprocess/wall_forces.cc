@@ -207,9 +207,9 @@ namespace seiche
       {
         // that fix a component: normal to it, and along it
         std::array<unsigned int, dim> n_normal{}, n_along{};
-        for (const auto &entry : occupancy.walls_at(node))
+        for (const auto &entry : occupancy.constraints.walls_at(node))
           ++(entry.is_normal ? n_normal : n_along)[entry.component];
-        for (const auto &entry : occupancy.walls_at(node))
+        for (const auto &entry : occupancy.constraints.walls_at(node))
           {
             const unsigned int c = entry.component;
             if (!entry.is_normal && n_normal[c] > 0)

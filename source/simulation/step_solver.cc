@@ -159,7 +159,7 @@ namespace seiche
     if (!measures_forces)
       return;
     state.start_reaction = 0.;
-    problem.occupancy.for_each_fixed([&](const unsigned int i) {
+    problem.occupancy.constraints.for_each_fixed([&](const unsigned int i) {
       // walls give their velocity first, then the projection pushes
       state.start_reaction.local_element(i) =
         wall_impulse(state, problem.row_mass, i) +

@@ -111,7 +111,7 @@ namespace seiche
       closed->balance_rows(residual.block(1), state.mass);
 
     state.reaction = 0.; // components may have been released
-    occupancy.for_each_fixed([&](const unsigned int i) {
+    occupancy.constraints.for_each_fixed([&](const unsigned int i) {
       double &value                   = residual.block(0).local_element(i);
       state.reaction.local_element(i) = value;
       value                           = 0.;

@@ -62,7 +62,7 @@ namespace seiche
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         this->template add_balance<degree>(cell, state, sums);
       });
-    occupancy.for_each_fixed([&](const unsigned int i) {
+    occupancy.constraints.for_each_fixed([&](const unsigned int i) {
       sums.walls[i % dim] += state.reaction.local_element(i);
     });
     const MPI_Comm communicator =

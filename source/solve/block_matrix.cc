@@ -129,7 +129,9 @@ namespace seiche
     double                    free[dim][n_nodes]; // 0 where a wall fixes
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
-        free[i][a] = occupancy.fixed_components(nodes[a]) & (1u << i) ? 0. : 1.;
+        free[i][a] =
+          occupancy.constraints.fixed_components(nodes[a]) & (1u << i) ? 0. :
+                                                                         1.;
 
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int b = 0; b < n_nodes; ++b)
@@ -193,13 +195,14 @@ namespace seiche
       }
     for (unsigned int a = 0; a < face.n_nodes; ++a)
       {
-        const unsigned int fixed = occupancy.fixed_components(face.nodes[a]);
+        const unsigned int fixed =
+          occupancy.constraints.fixed_components(face.nodes[a]);
         for (unsigned int k = 0; k < face.n_nodes; ++k)
           {
             const unsigned int b     = order[k];
             const std::size_t  entry = entries[a][k];
             const unsigned int other =
-              occupancy.fixed_components(face.nodes[b]);
+              occupancy.constraints.fixed_components(face.nodes[b]);
             for (unsigned int i = 0; i < dim; ++i)
               if (!((fixed | other) & (1u << i)))
                 displacement_columns[(entry * dim + i) * n + i] +=

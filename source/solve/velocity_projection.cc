@@ -34,11 +34,12 @@ namespace seiche
     // what walls prescribe is part of the residual, the rest is solved for
     state.solution = 0.;
     state.solution.zero_out_ghost_values();
-    system.matrix.occupancy.for_each_fixed([&](const unsigned int i) {
-      state.displacement().local_element(i) =
-        solution.block(0).local_element(i);
-      solution.block(0).local_element(i) = 0.;
-    });
+    system.matrix.occupancy.constraints.for_each_fixed(
+      [&](const unsigned int i) {
+        state.displacement().local_element(i) =
+          solution.block(0).local_element(i);
+        solution.block(0).local_element(i) = 0.;
+      });
     state.solution.update_ghost_values();
     system.assembler.begin(coefficients, state, inertia_offset, rate_offset);
     BlockVector right_hand_side(state.solution), product(state.solution);
@@ -51,10 +52,11 @@ namespace seiche
     const LinearResult result =
       system.solver.solve(update, right_hand_side, reduction);
     solution += update;
-    system.matrix.occupancy.for_each_fixed([&](const unsigned int i) {
-      solution.block(0).local_element(i) =
-        state.displacement().local_element(i);
-    });
+    system.matrix.occupancy.constraints.for_each_fixed(
+      [&](const unsigned int i) {
+        solution.block(0).local_element(i) =
+          state.displacement().local_element(i);
+      });
     return result;
   }
 

@@ -12,34 +12,13 @@ namespace seiche
 {
   using namespace dealii;
 
-  namespace
-  {
-    template <int dim>
-    void
-    add_wall(std::vector<typename Occupancy<dim>::NodeWall> &walls,
-             const typename Occupancy<dim>::NodeWall        &wall,
-             const CellLocator<dim>                         &locator)
-    {
-      for (auto &known : walls)
-        if (known.wall == wall.wall && known.component == wall.component)
-          {
-            known.sides |= wall.sides;
-            known.is_normal |= wall.is_normal;
-            if (locator.geometry(wall.cell).measure <
-                locator.geometry(known.cell).measure)
-              known.cell = wall.cell;
-            return;
-          }
-      walls.push_back(wall);
-    }
-  } // namespace
-
   template <int dim>
   Occupancy<dim>::Occupancy(const CellLocator<dim> &cell_locator,
                             const unsigned int      degree)
     : locator(cell_locator)
     , fe(degree)
-    , dof_handler(cell_locator.grid.triangulation)
+    , mesh_nodes(locator, fe)
+    , constraints(mesh_nodes)
   {
     reinit();
   }
@@ -48,17 +27,9 @@ namespace seiche
   void
   Occupancy<dim>::reinit()
   {
-    dof_handler.distribute_dofs(fe);
-    const NodeMasters<dim> masters(dof_handler, locator);
-    hanging_nodes.reinit(dof_handler, locator, masters);
-    if (fe.degree > 1)
-      linear_cells.reinit(dof_handler, locator, masters, hanging_nodes);
+    mesh_nodes.reinit();
     reset_matrices();
-
-    number_cells();
-    update_places();
-    collect_walls();
-
+    find_smallest_extent();
     points_flag.assign(locator.n_cells(), 0);
     occupied_flag.assign(locator.n_cells(), 0);
     active_flag.assign(locator.n_cells(), 0);
@@ -69,124 +40,20 @@ namespace seiche
   void
   Occupancy<dim>::update_places()
   {
+    mesh_nodes.update_places();
+    find_smallest_extent();
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::find_smallest_extent()
+  {
     smallest = std::numeric_limits<double>::max();
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       smallest = std::min(smallest, locator.geometry(cell).shortest_edge());
     smallest =
       Utilities::MPI::min(smallest,
                           locator.grid.triangulation.get_communicator());
-    collect_positions();
-    collect_volumes();
-  }
-
-  template <int dim>
-  void
-  Occupancy<dim>::number_cells()
-  {
-    // masters of a ghost cell's hanging nodes may lie beyond the ghost layer
-    const unsigned int                   n_nodes = nodes_per_cell();
-    std::vector<types::global_dof_index> indices(hanging_nodes.nodes(0),
-                                                 hanging_nodes.nodes(0) +
-                                                   locator.n_cells() * n_nodes);
-    std::sort(indices.begin(), indices.end());
-    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
-    IndexSet relevant(dof_handler.n_dofs());
-    relevant.add_indices(indices.begin(), indices.end());
-    full_partitioner = std::make_shared<const Utilities::MPI::Partitioner>(
-      dof_handler.locally_owned_dofs(),
-      relevant,
-      locator.grid.triangulation.get_communicator());
-
-    full_cell_nodes.resize(locator.n_cells() * n_nodes);
-    for (std::size_t i = 0; i < full_cell_nodes.size(); ++i)
-      full_cell_nodes[i] =
-        full_partitioner->global_to_local(hanging_nodes.nodes(0)[i]);
-  }
-
-  template <int dim>
-  void
-  Occupancy<dim>::collect_positions()
-  {
-    const unsigned int n_nodes = nodes_per_cell();
-    position_full.assign(full_partitioner->locally_owned_size() +
-                           full_partitioner->n_ghost_indices(),
-                         Point<dim>());
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        if (!hanging_nodes.hangs(cell, a))
-          {
-            Point<dim> x = locator.geometry(cell).to_real(unit_place(a));
-            for (unsigned int d = 0; d < dim; ++d)
-              if (line_index(a, d) == fe.degree &&
-                  locator.at_seam(cell, 2 * d + 1))
-                x[d] = locator.domain().lower_bound(d);
-            position_full[full_cell_nodes[cell * n_nodes + a]] = x;
-          }
-  }
-
-  template <int dim>
-  void
-  Occupancy<dim>::collect_walls()
-  {
-    const unsigned int n_nodes = nodes_per_cell();
-    Vector             mask(full_partitioner);
-    walls_full.assign(position_full.size(), {});
-    fixed_full.assign(position_full.size(), 0);
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      for (const unsigned int face : GeometryInfo<dim>::face_indices())
-        {
-          const types::boundary_id wall = locator.boundary_id(cell, face);
-          if (wall == numbers::internal_face_boundary_id ||
-              locator.grid.wall_condition(wall) == WallCondition::open)
-            continue;
-          const bool all =
-            locator.grid.wall_condition(wall) == WallCondition::no_slip;
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            if (line_index(a, face / 2) == (face % 2) * fe.degree &&
-                !hanging_nodes.hangs(cell, a))
-              for (unsigned int c = 0; c < dim; ++c)
-                if (all || c == face / 2)
-                  {
-                    const unsigned int node =
-                      full_cell_nodes[cell * n_nodes + a];
-                    fixed_full[node] |= 1u << c;
-                    add_wall<dim>(
-                      walls_full[node],
-                      {wall, c, 1u << (face % 2), cell, c == face / 2},
-                      locator);
-                  }
-        }
-    // an owner sees all cells around its nodes, a ghost's copy may not
-    for (unsigned int i = 0; i < full_partitioner->locally_owned_size(); ++i)
-      mask.local_element(i) = fixed_full[i];
-    mask.update_ghost_values();
-    for (unsigned int i = 0; i < fixed_full.size(); ++i)
-      fixed_full[i] = static_cast<unsigned int>(mask.local_element(i));
-  }
-
-  template <int dim>
-  void
-  Occupancy<dim>::collect_volumes()
-  {
-    const unsigned int  n_nodes = nodes_per_cell();
-    std::vector<double> unit_integral(n_nodes, 0.), integral;
-    for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
-      unit_integral[vertex_node(v)] = std::pow(0.5, dim);
-    Vector volume(full_partitioner);
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      {
-        integral = unit_integral;
-        if (const NodeMatrix *hanging = hanging_nodes.matrix(cell))
-          hanging->condense(integral.data());
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          volume.local_element(full_cell_nodes[cell * n_nodes + a]) +=
-            locator.geometry(cell).measure * integral[a];
-      }
-    volume.compress(VectorOperation::add);
-    volume.update_ghost_values();
-    volume_full.resize(position_full.size());
-    for (unsigned int i = 0; i < volume_full.size(); ++i)
-      volume_full[i] = volume.local_element(i);
   }
 
   template <int dim>
@@ -217,10 +84,7 @@ namespace seiche
     if (Utilities::MPI::min(inside ? 1 : 0, communicator) == 0)
       number();
     reset_matrices();
-    dry.assign(n_local_nodes(), 0);
-    fixed.resize(n_local_nodes());
-    for (unsigned int node = 0; node < fixed.size(); ++node)
-      fixed[node] = wall_components(node);
+    constraints.reinit(full_of_compact, node_partitioner);
   }
 
   template <int dim>
@@ -243,7 +107,7 @@ namespace seiche
   {
     cell_matrices.resize(locator.n_cells());
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      cell_matrices[cell] = hanging_nodes.matrix(cell);
+      cell_matrices[cell] = mesh_nodes.hanging.matrix(cell);
     linear_flag.assign(locator.n_cells(), fe.degree == 1);
   }
 
@@ -260,7 +124,7 @@ namespace seiche
     for (const unsigned int cell : occupied)
       if (linear_flag[cell])
         for (unsigned int a = 0; a < n_nodes; ++a)
-          if (linear_cells.is_middle(cell, a))
+          if (mesh_nodes.linear_cells.is_middle(cell, a))
             is_mean.local_element(cell_nodes(cell)[a]) = 1.;
     is_mean.compress(VectorOperation::add);
     is_mean.update_ghost_values();
@@ -271,31 +135,8 @@ namespace seiche
           for (unsigned int a = 0; a < n_nodes; ++a)
             if (is_mean.local_element(cell_nodes(cell)[a]) > 0.)
               means |= 1u << a;
-          cell_matrices[cell] = linear_cells.matrix(cell, means);
+          cell_matrices[cell] = mesh_nodes.linear_cells.matrix(cell, means);
         }
-  }
-
-  template <int dim>
-  void
-  Occupancy<dim>::set_released(const unsigned int node,
-                               const unsigned int component,
-                               const bool         released)
-  {
-    const unsigned int bit =
-      wall_components(node) & ~dry[node] & (1u << component);
-    fixed[node] = released ? fixed[node] & ~bit : fixed[node] | bit;
-  }
-
-  template <int dim>
-  void
-  Occupancy<dim>::share_fixed()
-  {
-    Vector mask(node_partitioner);
-    for (unsigned int node = 0; node < n_own; ++node)
-      mask.local_element(node) = fixed[node];
-    mask.update_ghost_values();
-    for (unsigned int node = n_own; node < fixed.size(); ++node)
-      fixed[node] = static_cast<unsigned int>(mask.local_element(node));
   }
 
   template <int dim>
@@ -319,9 +160,10 @@ namespace seiche
         locator.exchange_to_ghosts(active_flag);
       }
 
-    const unsigned int      n_nodes    = nodes_per_cell();
-    const unsigned int      n_own_full = full_partitioner->locally_owned_size();
-    const std::vector<char> used       = find_used_nodes();
+    const unsigned int n_nodes = nodes_per_cell();
+    const unsigned int n_own_full =
+      mesh_nodes.partitioner()->locally_owned_size();
+    const std::vector<char> used = find_used_nodes();
 
     n_own = std::count(used.begin(), used.begin() + n_own_full, 1);
     const MPI_Comm communicator = locator.grid.triangulation.get_communicator();
@@ -341,7 +183,7 @@ namespace seiche
 
     // own numbers to the ranks that see these nodes as ghosts; doubles hold
     // integers up to 2^53
-    Vector compact(full_partitioner);
+    Vector compact(mesh_nodes.partitioner());
     full_of_compact.clear();
     for (unsigned int i = 0; i < n_own_full; ++i)
       if (used[i])
@@ -376,11 +218,12 @@ namespace seiche
     std::vector<unsigned int> compact_of_full(used.size(), invalid);
     for (unsigned int i = 0; i < full_of_compact.size(); ++i)
       compact_of_full[full_of_compact[i]] = i;
-    compact_cell_nodes.assign(full_cell_nodes.size(), invalid);
+    compact_cell_nodes.assign(locator.n_cells() * n_nodes, invalid);
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
       if (active_flag[cell])
-        for (unsigned int a = cell * n_nodes; a < (cell + 1) * n_nodes; ++a)
-          compact_cell_nodes[a] = compact_of_full[full_cell_nodes[a]];
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          compact_cell_nodes[cell * n_nodes + a] =
+            compact_of_full[mesh_nodes.of_cell(cell)[a]];
     ++numbering_generation;
     is_numbered = true;
   }
@@ -390,17 +233,18 @@ namespace seiche
   Occupancy<dim>::find_used_nodes() const
   {
     const unsigned int n_nodes = nodes_per_cell();
-    std::vector<char>  used(position_full.size(), 0);
+    std::vector<char>  used(mesh_nodes.size(), 0);
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
       if (active_flag[cell])
         for (unsigned int a = 0; a < n_nodes; ++a)
-          used[full_cell_nodes[cell * n_nodes + a]] = 1;
+          used[mesh_nodes.of_cell(cell)[a]] = 1;
     // the owner of a master may not see the cell whose hanging node needs it
-    Vector mark(full_partitioner);
+    Vector mark(mesh_nodes.partitioner());
     for (unsigned int i = 0; i < used.size(); ++i)
       mark.local_element(i) = used[i];
     mark.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < full_partitioner->locally_owned_size(); ++i)
+    for (unsigned int i = 0; i < mesh_nodes.partitioner()->locally_owned_size();
+         ++i)
       used[i] = mark.local_element(i) > 0.;
     return used;
   }

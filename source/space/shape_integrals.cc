@@ -41,7 +41,8 @@ namespace seiche
         integrals[a] = 1.;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            const unsigned int place = occupancy.line_index(a, d);
+            const unsigned int place =
+              line_index<dim>(occupancy.fe.degree, a, d);
             if (face == all || d != face / 2)
               integrals[a] *= extent[d] * line[place];
             else if (place != (face % 2) * occupancy.fe.degree)
@@ -61,7 +62,8 @@ namespace seiche
     return std::any_of(nodes,
                        nodes + occupancy.nodes_per_cell(),
                        [&](const unsigned int node) {
-                         return occupancy.wall_components(node) != 0;
+                         return occupancy.constraints.wall_components(node) !=
+                                0;
                        });
   }
 

@@ -85,13 +85,14 @@ namespace seiche
             field.values.local_element(field.n_components * nodes[a] + c);
         occupancy.expand(cell, at_nodes);
         for (unsigned int v = 0; v < Shape::n_nodes; ++v)
-          values[v] = at_nodes[occupancy.vertex_node(v)];
+          values[v] = at_nodes[vertex_node<dim>(occupancy.fe.degree, v)];
       }
 
       unsigned int
       vertex(const unsigned int cell, const unsigned int v) const
       {
-        return occupancy.cell_nodes(cell)[occupancy.vertex_node(v)];
+        return occupancy.cell_nodes(
+          cell)[vertex_node<dim>(occupancy.fe.degree, v)];
       }
 
       bool

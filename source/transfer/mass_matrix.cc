@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/ghost_face_matrix.h>
+#include <seiche/mesh/assembled_faces.h>
 #include <seiche/space/point_batch.h>
 #include <seiche/transfer/mass_matrix.h>
 #include <seiche/utilities/exceptions.h>
@@ -93,7 +94,8 @@ namespace seiche
   MassMatrix<dim>::collect_faces(const CellMaterials<dim> &materials)
   {
     GhostFaceMatrix<dim, degree> face_matrix;
-    occupancy.for_each_assembled_face(
+    for_each_assembled_face(
+      occupancy.locator,
       occupancy.occupied_cells(),
       [&](const unsigned int cell) { return occupancy.is_occupied(cell); },
       [&](const unsigned int lower,

@@ -272,7 +272,7 @@ namespace seiche
       extrapolate_fields(points, occupancy, state);
     if (with_acceleration)
       {
-        occupancy.for_each_fixed([&](const unsigned int i) {
+        occupancy.constraints.for_each_fixed([&](const unsigned int i) {
           state.acceleration_n.local_element(i) = 0.;
         });
         state.acceleration_n.update_ghost_values();

@@ -90,7 +90,7 @@ namespace
     std::pair<unsigned int, unsigned int> result(0, 0);
     for (const unsigned int cell : occupancy.occupied_cells())
       for (unsigned int a = 0; a < Basis<dim, 1>::n_nodes; ++a)
-        if (occupancy.hanging().hangs(cell, a))
+        if (occupancy.mesh_nodes.hanging.hangs(cell, a))
           {
             double column[Basis<dim, 1>::n_nodes] = {};
             column[a]                             = 1.;

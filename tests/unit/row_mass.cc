@@ -57,7 +57,7 @@ namespace
     state.mass           = 1.;
     unsigned int n_walls = 0, n_rows = 0, n_hats = 0;
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
-      if (occupancy.wall_components(node) != 0)
+      if (occupancy.constraints.wall_components(node) != 0)
         {
           const double value = row_mass.value(state, node);
           const auto   x     = occupancy.node_position(node);

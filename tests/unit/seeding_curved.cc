@@ -56,8 +56,8 @@ namespace
         if (at_wall || !occupancy.is_active(cell))
           continue;
         const auto level = [&](const unsigned int v) {
-          return fill.surface().level_set().local_element(
-            occupancy.cell_nodes(cell)[occupancy.vertex_node(v)]);
+          return fill.surface().level_set().local_element(occupancy.cell_nodes(
+            cell)[vertex_node<dim>(occupancy.fe.degree, v)]);
         };
         for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
           for (unsigned int d = 0; d < dim; ++d)

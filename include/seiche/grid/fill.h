@@ -160,7 +160,7 @@ namespace seiche
     }
 
     /// Ghost faces that this rank assembles
-    /// (Occupancy::for_each_assembled_face).
+    /// (for_each_assembled_face()).
     const std::vector<GhostFace> &
     ghost_faces() const
     {

@@ -94,7 +94,8 @@ namespace seiche
     bool
     is_fixed(const Contact &contact) const
     {
-      return (occupancy.fixed_components(contact.node) >> contact.component) &
+      return (occupancy.constraints.fixed_components(contact.node) >>
+              contact.component) &
              1u;
     }
 

@@ -170,6 +170,38 @@ namespace seiche
         }
     }
   };
+
+  // the same for a degree that the compiler does not know
+
+  /// Index 0 ... degree of node a of a cell in direction d.
+  template <int dim>
+  unsigned int
+  line_index(const unsigned int degree,
+             const unsigned int a,
+             const unsigned int d)
+  {
+    return degree == 1 ? Basis<dim, 1>::line_index(a, d) :
+                         Basis<dim, 2>::line_index(a, d);
+  }
+
+  /// Node of a cell at its vertex v.
+  template <int dim>
+  unsigned int
+  vertex_node(const unsigned int degree, const unsigned int v)
+  {
+    return degree == 1 ? Basis<dim, 1>::vertex(v) : Basis<dim, 2>::vertex(v);
+  }
+
+  /// Place of node a in the unit cell.
+  template <int dim>
+  dealii::Point<dim>
+  unit_place(const unsigned int degree, const unsigned int a)
+  {
+    dealii::Point<dim> result;
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] = static_cast<double>(line_index<dim>(degree, a, d)) / degree;
+    return result;
+  }
 } // namespace seiche
 
 #endif

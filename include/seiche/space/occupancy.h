@@ -6,13 +6,7 @@
 #include <seiche/points/point_cloud.h>
 #include <seiche/space/basis.h>
 #include <seiche/space/cell_unknowns.h>
-#include <seiche/space/linear_cells.h>
-
-#include <deal.II/base/partitioner.h>
-
-#include <deal.II/dofs/dof_handler.h>
-
-#include <deal.II/fe/fe_q.h>
+#include <seiche/space/node_constraints.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -33,7 +27,7 @@ namespace seiche
    * Hanging nodes are no unknowns; their masters may lie on cells without
    * fluid.
    *
-   * The full numbering of the DoFHandler is known to this class alone.
+   * The numbering of the whole mesh is known to MeshNodes and this class.
    */
   template <int dim>
   class Occupancy
@@ -86,32 +80,6 @@ namespace seiche
     nodes_per_cell() const
     {
       return fe.n_dofs_per_cell();
-    }
-
-    /// Place of node a in the unit cell.
-    dealii::Point<dim>
-    unit_place(const unsigned int a) const
-    {
-      dealii::Point<dim> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = static_cast<double>(line_index(a, d)) / fe.degree;
-      return result;
-    }
-
-    /// Index 0 ... degree of node a of a cell in direction d.
-    unsigned int
-    line_index(const unsigned int a, const unsigned int d) const
-    {
-      return fe.degree == 1 ? Basis<dim, 1>::line_index(a, d) :
-                              Basis<dim, 2>::line_index(a, d);
-    }
-
-    /// Node of a cell at its vertex v.
-    unsigned int
-    vertex_node(const unsigned int v) const
-    {
-      return fe.degree == 1 ? Basis<dim, 1>::vertex(v) :
-                              Basis<dim, 2>::vertex(v);
     }
 
     /// Own occupied cells, ascending local numbers.
@@ -184,14 +152,8 @@ namespace seiche
     {
       if (degree == fe.degree)
         return {cell_nodes(cell), nullptr, cell_matrices[cell]};
-      const auto &vertices = linear_cells.vertices(cell);
+      const auto &vertices = mesh_nodes.linear_cells.vertices(cell);
       return {cell_nodes(cell), vertices.places.data(), vertices.matrix};
-    }
-
-    const HangingNodes<dim> &
-    hanging() const
-    {
-      return hanging_nodes;
     }
 
     /// Own and own-plus-ghost nodes of the compact numbering.
@@ -231,92 +193,12 @@ namespace seiche
       return vector_layout;
     }
 
-    /// Bit c is set if component c of the displacement is fixed by a wall, and
-    /// has not been released.
-    unsigned int
-    fixed_components(const unsigned int node) const
-    {
-      return fixed[node];
-    }
-
-    /// The same, released, dry or not.
-    unsigned int
-    wall_components(const unsigned int node) const
-    {
-      return fixed_full[full_of_compact[node]];
-    }
-
-    /// Components of an own node whose walls have no fluid at them in this
-    /// step: they do not fix it. share_fixed() makes it known.
-    void
-    set_dry(const unsigned int node, const unsigned int components)
-    {
-      dry[node]   = components;
-      fixed[node] = wall_components(node) & ~components;
-    }
-    unsigned int
-    dry_components(const unsigned int node) const
-    {
-      return dry[node];
-    }
-
-    /// Release a component that a wall fixes, or fix it again: own nodes, until
-    /// the next update(). share_fixed() makes it known.
-    void
-    set_released(const unsigned int node,
-                 const unsigned int component,
-                 const bool         released);
-
-    /// True if a wall with fluid at it has let go of an own node: the fluid
-    /// leaves it, and a gap opens that the level set does not see yet.
-    bool
-    leaves_wall(const unsigned int node) const
-    {
-      return (wall_components(node) & ~fixed_components(node) &
-              ~dry_components(node)) != 0;
-    }
-
-    /// Components of ghost nodes from their owners. Collective.
-    void
-    share_fixed();
-
-    /// f(dim*node + component) for the components of own nodes that are fixed.
-    template <typename Function>
-    void
-    for_each_fixed(const Function &f) const
-    {
-      for (unsigned int node = 0; node < n_own; ++node)
-        if (const unsigned int fixed = fixed_components(node))
-          for (unsigned int c = 0; c < dim; ++c)
-            if ((fixed >> c) & 1u)
-              f(dim * node + c);
-    }
-
-    /// A wall that fixes a component of a node, with the sides of the node on
-    /// which cells have faces on it: bit 0 the upper, bit 1 the lower one, in
-    /// the direction normal to the face; a smallest cell among them, own or
-    /// ghost; whether a face there is normal to the component, as all are
-    /// but those of no-slip walls.
-    struct NodeWall
-    {
-      dealii::types::boundary_id wall;
-      unsigned int               component, sides, cell;
-      bool                       is_normal;
-    };
-
-    /// The walls that fix components of an own node.
-    const std::vector<NodeWall> &
-    walls_at(const unsigned int node) const
-    {
-      return walls_full[full_of_compact[node]];
-    }
-
     /// Integral of the node's hat function of FE_Q(1) over the whole domain
     /// [m^dim]: zero where no vertex of a cell lies.
     double
     node_volume(const unsigned int node) const
     {
-      return volume_full[full_of_compact[node]];
+      return mesh_nodes.volume(full_of_compact[node]);
     }
 
     /// Of an own node, or of a node of an own cell; on the lower side if it
@@ -324,7 +206,7 @@ namespace seiche
     const dealii::Point<dim> &
     node_position(const unsigned int node) const
     {
-      return position_full[full_of_compact[node]];
+      return mesh_nodes.position(full_of_compact[node]);
     }
 
     /// Smallest edge length of all cells [m].
@@ -349,10 +231,10 @@ namespace seiche
       const unsigned int *nodes = cell_nodes(cell);
       for (unsigned int a = 0; a < nodes_per_cell(); ++a)
         at_nodes[a] = vector.local_element(nodes[a]);
-      if (const NodeMatrix *hanging = hanging_nodes.matrix(cell))
+      if (const NodeMatrix *hanging = mesh_nodes.hanging.matrix(cell))
         hanging->expand(at_nodes);
       for (unsigned int v = 0; v < (1u << dim); ++v)
-        values[v] = at_nodes[vertex_node(v)];
+        values[v] = at_nodes[vertex_node<dim>(fe.degree, v)];
     }
 
     /// The transpose: @p values [2^dim] of the vertices of an active cell, added
@@ -366,36 +248,23 @@ namespace seiche
       double              at_nodes[HangingNodes<dim>::max_nodes] = {};
       const unsigned int *nodes = cell_nodes(cell);
       for (unsigned int v = 0; v < (1u << dim); ++v)
-        at_nodes[vertex_node(v)] = values[v];
-      if (const NodeMatrix *hanging = hanging_nodes.matrix(cell))
+        at_nodes[vertex_node<dim>(fe.degree, v)] = values[v];
+      if (const NodeMatrix *hanging = mesh_nodes.hanging.matrix(cell))
         hanging->condense(at_nodes);
       for (unsigned int a = 0; a < nodes_per_cell(); ++a)
         vector.local_element(nodes[a]) += at_nodes[a];
     }
 
-    /// Call f(lower, upper, direction) for each face between two cells that
-    /// @p takes_part, on the rank that assembles it: the lower of the two
-    /// owners, and that of the finer cell at a level jump. @p cells: own cells
-    /// that take part. Local.
-    template <typename Predicate, typename Function>
-    void
-    for_each_assembled_face(const std::vector<unsigned int> &cells,
-                            const Predicate                 &takes_part,
-                            const Function                  &f) const;
-
     const CellLocator<dim> &locator;
     const dealii::FE_Q<dim> fe;
 
+    MeshNodes<dim> mesh_nodes;
+    /// All walls hold after update().
+    NodeConstraints<dim> constraints;
+
   private:
-    // parts of reinit()
     void
-    number_cells();
-    void
-    collect_positions();
-    void
-    collect_walls();
-    void
-    collect_volumes();
+    find_smallest_extent();
 
     /// Matrices of the mesh alone.
     void
@@ -410,24 +279,11 @@ namespace seiche
     std::vector<char>
     find_used_nodes() const;
 
-    dealii::DoFHandler<dim>         dof_handler;
-    HangingNodes<dim>               hanging_nodes;
-    LinearCells<dim>                linear_cells;  // FE_Q(2)
     std::vector<const NodeMatrix *> cell_matrices; // null: identity
-
-    // full mesh, local numbering of locally relevant dofs
-    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> full_partitioner;
-    std::vector<unsigned int>                                  full_cell_nodes;
-    std::vector<unsigned int>                                  fixed_full;
-    std::vector<double>                                        volume_full;
-    std::vector<dealii::Point<dim>>                            position_full;
-    std::vector<std::vector<NodeWall>>                         walls_full;
-    double                                                     smallest = 0.;
+    double                          smallest = 0.;
 
     // compact numbering
-    bool                      is_numbered = false;
-    std::vector<unsigned int> fixed; // fixed_components() by local node
-    std::vector<unsigned int> dry;   // see set_dry()
+    bool                      is_numbered          = false;
     unsigned int              numbering_generation = 0;
     unsigned int              n_own                = 0;
     std::uint64_t             global_occupied      = 0;
@@ -439,31 +295,6 @@ namespace seiche
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> node_partitioner;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> vector_layout;
   };
-  template <int dim>
-  template <typename Predicate, typename Function>
-  void
-  Occupancy<dim>::for_each_assembled_face(
-    const std::vector<unsigned int> &cells,
-    const Predicate                 &takes_part,
-    const Function                  &f) const
-  {
-    for (const unsigned int cell : cells)
-      for (unsigned int direction = 0; direction < dim; ++direction)
-        for (const bool other_is_upper : {true, false})
-          {
-            const unsigned int other =
-              locator.neighbor(cell, 2 * direction + other_is_upper);
-            if (other == locator.invalid || !takes_part(other))
-              continue;
-            const bool jump = locator.level(other) < locator.level(cell);
-            if (other_is_upper &&
-                (jump || locator.owner(cell) <= locator.owner(other)))
-              f(cell, other, direction);
-            else if (!other_is_upper &&
-                     (jump || locator.owner(cell) < locator.owner(other)))
-              f(other, cell, direction);
-          }
-  }
 } // namespace seiche
 
 #endif

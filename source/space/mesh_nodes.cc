@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/space/basis.h>
+#include <seiche/space/mesh_nodes.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  using Vector = LinearAlgebra::distributed::Vector<double>;
+
+  namespace
+  {
+    template <int dim>
+    void
+    add_wall(std::vector<NodeWall>  &walls,
+             const NodeWall         &wall,
+             const CellLocator<dim> &locator)
+    {
+      for (auto &known : walls)
+        if (known.wall == wall.wall && known.component == wall.component)
+          {
+            known.sides |= wall.sides;
+            known.is_normal |= wall.is_normal;
+            if (locator.geometry(wall.cell).measure <
+                locator.geometry(known.cell).measure)
+              known.cell = wall.cell;
+            return;
+          }
+      walls.push_back(wall);
+    }
+  } // namespace
+
+  template <int dim>
+  MeshNodes<dim>::MeshNodes(const CellLocator<dim> &cell_locator,
+                            const FE_Q<dim>        &element)
+    : locator(cell_locator)
+    , fe(element)
+    , dof_handler(cell_locator.grid.triangulation)
+  {}
+
+  template <int dim>
+  void
+  MeshNodes<dim>::reinit()
+  {
+    dof_handler.distribute_dofs(fe);
+    const NodeMasters<dim> masters(dof_handler, locator);
+    hanging.reinit(dof_handler, locator, masters);
+    if (fe.degree > 1)
+      linear_cells.reinit(dof_handler, locator, masters, hanging);
+    number_cells();
+    update_places();
+    find_walls();
+  }
+
+  template <int dim>
+  void
+  MeshNodes<dim>::update_places()
+  {
+    find_positions();
+    find_volumes();
+  }
+
+  template <int dim>
+  void
+  MeshNodes<dim>::number_cells()
+  {
+    // masters of a ghost cell's hanging nodes may lie beyond the ghost layer
+    const unsigned int                   n_nodes = fe.n_dofs_per_cell();
+    std::vector<types::global_dof_index> indices(hanging.nodes(0),
+                                                 hanging.nodes(0) +
+                                                   locator.n_cells() * n_nodes);
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    IndexSet relevant(dof_handler.n_dofs());
+    relevant.add_indices(indices.begin(), indices.end());
+    layout = std::make_shared<const Utilities::MPI::Partitioner>(
+      dof_handler.locally_owned_dofs(),
+      relevant,
+      locator.grid.triangulation.get_communicator());
+
+    cell_nodes.resize(locator.n_cells() * n_nodes);
+    for (std::size_t i = 0; i < cell_nodes.size(); ++i)
+      cell_nodes[i] = layout->global_to_local(hanging.nodes(0)[i]);
+  }
+
+  template <int dim>
+  void
+  MeshNodes<dim>::find_positions()
+  {
+    const unsigned int n_nodes = fe.n_dofs_per_cell();
+    positions.assign(size(), Point<dim>());
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        if (!hanging.hangs(cell, a))
+          {
+            Point<dim> x =
+              locator.geometry(cell).to_real(unit_place<dim>(fe.degree, a));
+            for (unsigned int d = 0; d < dim; ++d)
+              if (line_index<dim>(fe.degree, a, d) == fe.degree &&
+                  locator.at_seam(cell, 2 * d + 1))
+                x[d] = locator.domain().lower_bound(d);
+            positions[cell_nodes[cell * n_nodes + a]] = x;
+          }
+  }
+
+  template <int dim>
+  void
+  MeshNodes<dim>::find_walls()
+  {
+    const unsigned int n_nodes = fe.n_dofs_per_cell();
+    Vector             mask(layout);
+    walls_of_node.assign(size(), {});
+    components_of_walls.assign(size(), 0);
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      for (const unsigned int face : GeometryInfo<dim>::face_indices())
+        {
+          const types::boundary_id wall = locator.boundary_id(cell, face);
+          if (wall == numbers::internal_face_boundary_id ||
+              locator.grid.wall_condition(wall) == WallCondition::open)
+            continue;
+          const bool all =
+            locator.grid.wall_condition(wall) == WallCondition::no_slip;
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            if (line_index<dim>(fe.degree, a, face / 2) ==
+                  (face % 2) * fe.degree &&
+                !hanging.hangs(cell, a))
+              for (unsigned int c = 0; c < dim; ++c)
+                if (all || c == face / 2)
+                  {
+                    const unsigned int node = cell_nodes[cell * n_nodes + a];
+                    components_of_walls[node] |= 1u << c;
+                    add_wall<dim>(
+                      walls_of_node[node],
+                      {wall, c, 1u << (face % 2), cell, c == face / 2},
+                      locator);
+                  }
+        }
+    // an owner sees all cells around its nodes, a ghost's copy may not
+    for (unsigned int i = 0; i < layout->locally_owned_size(); ++i)
+      mask.local_element(i) = components_of_walls[i];
+    mask.update_ghost_values();
+    for (unsigned int i = 0; i < components_of_walls.size(); ++i)
+      components_of_walls[i] = static_cast<unsigned int>(mask.local_element(i));
+  }
+
+  template <int dim>
+  void
+  MeshNodes<dim>::find_volumes()
+  {
+    const unsigned int  n_nodes = fe.n_dofs_per_cell();
+    std::vector<double> unit_integral(n_nodes, 0.), integral;
+    for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+      unit_integral[vertex_node<dim>(fe.degree, v)] = std::pow(0.5, dim);
+    Vector volume(layout);
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      {
+        integral = unit_integral;
+        if (const NodeMatrix *hanging = hanging.matrix(cell))
+          hanging->condense(integral.data());
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          volume.local_element(cell_nodes[cell * n_nodes + a]) +=
+            locator.geometry(cell).measure * integral[a];
+      }
+    volume.compress(VectorOperation::add);
+    volume.update_ghost_values();
+    volumes.resize(size());
+    for (unsigned int i = 0; i < volumes.size(); ++i)
+      volumes[i] = volume.local_element(i);
+  }
+
+  template class MeshNodes<2>;
+  template class MeshNodes<3>;
+} // namespace seiche
