@@ -159,8 +159,8 @@ namespace seiche
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
         integral = unit_integral;
-        if (const NodeMatrix *hanging = hanging.matrix(cell))
-          hanging->condense(integral.data());
+        if (const NodeMatrix *matrix = hanging.matrix(cell))
+          matrix->condense(integral.data());
         for (unsigned int a = 0; a < n_nodes; ++a)
           volume.local_element(cell_nodes[cell * n_nodes + a]) +=
             locator.geometry(cell).measure * integral[a];
