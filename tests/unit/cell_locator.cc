@@ -62,9 +62,11 @@ namespace
                                    1.) > 1e-10;
           }
       }
-    std::cout << dim << "D: cells " << locator.n_cells() << " wrong " << n_wrong
-              << " wrong with hint " << n_wrong_hint << " geometry "
-              << n_geometry << " some outside " << (n_outside > 0) << std::endl;
+    std::cout << dim << "D, " << locator.n_cells()
+              << " cells, found as by search: " << verdict(n_wrong == 0)
+              << ", with a hint: " << verdict(n_wrong_hint == 0)
+              << ", those of the mesh: " << verdict(n_geometry == 0)
+              << ", some outside: " << verdict(n_outside > 0);
 
     // neighbours across faces share that face
     unsigned int n_bad = 0, n_walls = 0;
@@ -82,8 +84,8 @@ namespace
                                locator.geometry(cell).upper[face / 2] !=
                                  locator.geometry(other).lower[face / 2]);
         }
-    std::cout << "  wall faces " << n_walls << " bad neighbours " << n_bad
-              << std::endl;
+    std::cout << ", neighbours share faces: " << verdict(n_bad == 0) << ", "
+              << n_walls << " faces at walls" << std::endl;
   }
 } // namespace
 
@@ -108,31 +110,34 @@ main(int argc, char **argv)
              "subsection Obstacle post\n set Lower corner = -0.25, 0.25, 0\n"
              "set Upper corner = 0.25, 0.75, 1\nend\n");
 
-  // walls of the box and of the obstacle, up to round-off
+  // walls of the box and of the obstacle, up to round-off: in the cell that a
+  // short way inwards leads into
   const SceneFromText<2>          scene(tank + weir);
   const seiche::BackgroundGrid<2> grid(scene.grid_parameters, MPI_COMM_WORLD);
   const seiche::CellLocator<2>    locator(grid);
-  const double                    tiny = 1e-13;
-  for (const dealii::Point<2> &x : {dealii::Point<2>(0., 0.),
-                                    dealii::Point<2>(3.22, 3.),
-                                    dealii::Point<2>(-tiny, 1.),
-                                    dealii::Point<2>(3.22 + tiny, 3. + tiny),
-                                    dealii::Point<2>(1.61, 0.2),
-                                    dealii::Point<2>(1.61 + tiny, 0.2),
-                                    dealii::Point<2>(2.02 - tiny, 0.2),
-                                    dealii::Point<2>(2.02, 0.2),
-                                    dealii::Point<2>(1.8, 0.5),
-                                    dealii::Point<2>(1.8, 0.5 - tiny),
-                                    dealii::Point<2>(1.61 + tiny, 0.5 - tiny),
-                                    dealii::Point<2>(-1e-6, 1.),
-                                    dealii::Point<2>(1.8, 0.3)})
-    {
-      const unsigned int cell = locator.find(x);
-      if (cell == locator.invalid)
-        std::cout << x << ": outside, wall "
-                  << grid.wall_name(locator.wall_beyond(x)) << std::endl;
-      else
-        std::cout << x << ": centre " << locator.geometry(cell).box().center()
-                  << std::endl;
-    }
+  using dealii::Point;
+  const double                                     tiny     = 1e-13;
+  const std::vector<std::pair<Point<2>, Point<2>>> at_walls = {
+    {Point<2>(0., 0.), Point<2>(1., 1.)},
+    {Point<2>(3.22, 3.), Point<2>(-1., -1.)},
+    {Point<2>(-tiny, 1.), Point<2>(1., 1.)},
+    {Point<2>(3.22 + tiny, 3. + tiny), Point<2>(-1., -1.)},
+    {Point<2>(1.61, 0.2), Point<2>(-1., 1.)},
+    {Point<2>(1.61 + tiny, 0.2), Point<2>(-1., 1.)},
+    {Point<2>(2.02 - tiny, 0.2), Point<2>(1., 1.)},
+    {Point<2>(2.02, 0.2), Point<2>(1., 1.)},
+    {Point<2>(1.8, 0.5), Point<2>(0., 1.)},
+    {Point<2>(1.8, 0.5 - tiny), Point<2>(0., 1.)},
+    {Point<2>(1.61 + tiny, 0.5 - tiny), Point<2>(-1., -1.)}};
+  unsigned int n_right = 0;
+  for (const auto &[x, inwards] : at_walls)
+    n_right +=
+      locator.find(x) == brute_force(locator, Point<2>(x + 1e-9 * inwards));
+  std::cout << "at walls and corners, up to round-off: " << n_right << " of "
+            << at_walls.size() << " in the cell inside" << std::endl;
+  for (const auto &x : {Point<2>(-1e-6, 1.), Point<2>(1.8, 0.3)})
+    std::cout << x << ": "
+              << (locator.find(x) == locator.invalid ? "outside" : "INSIDE")
+              << ", wall " << grid.wall_name(locator.wall_beyond(x))
+              << std::endl;
 }

@@ -16,7 +16,7 @@ namespace
     return dealii::Utilities::MPI::sum(value, communicator);
   }
 
-  double
+  inline double
   global_max(const double value)
   {
     return dealii::Utilities::MPI::max(value, communicator);

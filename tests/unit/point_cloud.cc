@@ -2,23 +2,12 @@
 // Points that swirl through the cells (and ranks): order, columns, outflow
 // and the message for a lost point.
 #include <cmath>
-#include <iomanip>
 
+#include "global_reductions.h"
 #include "scene_from_text.h"
 
 namespace
 {
-  const MPI_Comm communicator = MPI_COMM_WORLD;
-
-  template <typename T>
-  T
-  global_sum(const T value)
-  {
-    return dealii::Utilities::MPI::sum(value, communicator);
-  }
-
-
-
   /// A number that tells a point from all others.
   double
   mark_of(const std::uint64_t id)
@@ -28,12 +17,42 @@ namespace
 
 
 
+  /// Of all ranks.
+  struct Sums
+  {
+    std::uint64_t points = 0;
+    double        mass   = 0.;
+  };
+
+
+
+  template <int dim, typename Condition>
+  Sums
+  sums_where(const seiche::PointCloud<dim> &points, const Condition &counts)
+  {
+    Sums result;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (counts(points.position(p)))
+        {
+          ++result.points;
+          result.mass += points.data(seiche::PointColumn::mass)[p];
+        }
+    result.points = global_sum(result.points);
+    result.mass   = global_sum(result.mass);
+    return result;
+  }
+
+
+
+  /// @p gone: what has to have left of the points at the @p start.
   template <int dim>
   void
-  report(const std::string &name, const seiche::PointCloud<dim> &points)
+  report(const std::string             &name,
+         const seiche::PointCloud<dim> &points,
+         const Sums                    &start,
+         const Sums                    &gone = {})
   {
     std::uint64_t n_unsorted = 0, n_mixed = 0, n_misplaced = 0, n_indexed = 0;
-    double        mass = 0.;
     for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
       {
         n_indexed += points.n_points_in(cell);
@@ -48,18 +67,31 @@ namespace
                 mark_of(points.ids()[p]) ||
               points.data(seiche::PointColumn::velocity_gradient,
                           dim * dim - 1)[p] != -mark_of(points.ids()[p]);
-            mass += points.data(seiche::PointColumn::mass)[p];
           }
       }
-    const auto n       = global_sum(n_indexed);
-    const auto faults  = global_sum(n_unsorted + n_mixed + n_misplaced);
-    const auto present = global_sum(std::uint64_t(points.size()));
-    mass               = global_sum(mass);
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      std::cout << name << ": points " << n << " counted " << points.n_global()
-                << ' ' << present << " faults " << faults << " mass " << mass
-                << " outflow " << points.n_outflow() << " of mass "
-                << points.outflow_mass() << std::endl;
+    const Sums now = sums_where(points, [](const auto &) { return true; });
+    print(dim,
+          "D ",
+          name,
+          ": ",
+          now.points,
+          " points, of their cells ",
+          verdict(global_sum(n_misplaced) == 0 &&
+                  global_sum(n_indexed) == now.points),
+          ", in order ",
+          verdict(global_sum(n_unsorted) == 0),
+          ", columns together ",
+          verdict(global_sum(n_mixed) == 0),
+          ", counted ",
+          verdict(points.n_global() == now.points),
+          ", left ",
+          points.n_outflow(),
+          ", none else lost ",
+          verdict(points.n_outflow() == gone.points &&
+                  now.points + gone.points == start.points),
+          ", mass too ",
+          verdict(std::abs(points.outflow_mass() - gone.mass) < 1e-9 &&
+                  std::abs(now.mass + gone.mass - start.mass) < 1e-9));
   }
 
 
@@ -82,19 +114,12 @@ namespace
 
   template <int dim>
   void
-  test(const std::string &corner, const std::string &text)
+  test(const double mass, const std::string &text)
   {
-    const SceneFromText<dim>          scene(text);
-    const seiche::BackgroundGrid<dim> grid(scene.grid_parameters, communicator);
-    const seiche::CellLocator<dim>    locator(grid);
-    seiche::PointCloud<dim>           points(locator,
-                                   {seiche::PointColumn::velocity_gradient},
-                                   communicator);
-    seiche::seed_bodies(scene.seeding,
-                        scene.bodies,
-                        scene.input,
-                        material_of_density(1000.),
-                        points);
+    SeededScene<dim> seeded(text,
+                            1000.,
+                            {seiche::PointColumn::velocity_gradient});
+    auto            &points = seeded.points;
     for (std::size_t p = 0; p < points.size(); ++p)
       {
         points.data(seiche::PointColumn::pressure)[p] =
@@ -102,7 +127,8 @@ namespace
         points.data(seiche::PointColumn::velocity_gradient, dim * dim - 1)[p] =
           -mark_of(points.ids()[p]);
       }
-    report(std::to_string(dim) + "D " + corner, points);
+    const Sums start = {3840, mass};
+    report("seeded", points, start);
 
     // a swirl that is zero at the walls, at most 0.9 cells a step
     for (unsigned int step = 0; step < 40; ++step)
@@ -112,16 +138,19 @@ namespace
                d == 1 ? -0.045 * std::cos(pi * x[0]) * std::sin(pi * x[1]) :
                         0.;
       });
-    report("swirled", points);
+    report("swirled", points, start);
     move(points,
          [](const dealii::Point<dim> &, const unsigned int) { return 0.; });
-    report("at rest", points);
+    report("at rest", points, start);
 
+    const Sums gone = sums_where(points, [](const dealii::Point<dim> &x) {
+      return x[0] + 10 * 0.0377 > 1.;
+    });
     for (unsigned int step = 0; step < 10; ++step)
       move(points, [](const dealii::Point<dim> &, const unsigned int d) {
         return d == 0 ? 0.0377 : 0.;
       });
-    report("through the open side", points);
+    report("through the open side", points, start, gone);
 
     try
       {
@@ -133,10 +162,7 @@ namespace
       {
         const std::string all  = error.what();
         const std::size_t wall = all.find("is lost");
-        if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-          std::cout << "point "
-                    << all.substr(wall, all.find("; its last") - wall)
-                    << std::endl;
+        print("point ", all.substr(wall, all.find("; its last") - wall));
       }
   }
 } // namespace
@@ -147,15 +173,14 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  std::cout << std::setprecision(10);
-  test<2>("square",
+  test<2>(600.,
           "subsection Grid\n set Lower corner = 0, 0\n"
           "set Upper corner = 1, 1\n set Cell size = 0.05\nend\n"
           "subsection Walls\n set Right = open\nend\n"
           "subsection Fluid body a\n set Lower corner = 0, 0\n"
           "set Upper corner = 0.6, 1\nend\n"
           "subsection Points\n set Jitter = 0.4\nend\n");
-  test<3>("cube",
+  test<3>(60.,
           "subsection Grid\n set Lower corner = 0, 0, 0\n"
           "set Upper corner = 1, 1, 0.2\n set Cell size = 0.05\nend\n"
           "subsection Walls\n set Right = open\nend\n"

@@ -211,19 +211,12 @@ namespace
   test(const std::string                    &name,
        const seiche::PointControlParameters &parameters)
   {
-    const SceneFromText<dim>    scene(scene_text<dim>());
-    seiche::BackgroundGrid<dim> grid(scene.grid_parameters, communicator);
-    seiche::CellLocator<dim>    locator(grid);
-    seiche::PointCloud<dim>     points(locator,
-                                   {PointColumn::velocity_gradient},
-                                   communicator);
-    seiche::seed_bodies(scene.seeding,
-                        scene.bodies,
-                        scene.input,
-                        material_of_density(100.),
-                        points);
+    SeededScene<dim> seeded(scene_text<dim>(),
+                            100.,
+                            {PointColumn::velocity_gradient});
+    auto            &points = seeded.points;
     disturb(points);
-    seiche::Occupancy<dim> occupancy(locator, /*degree=*/1);
+    seiche::Occupancy<dim> occupancy(seeded.locator, /*degree=*/1);
     occupancy.update(points);
     seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::cut_cells);
     fill.update(points);

@@ -14,6 +14,7 @@
 #include <iostream>
 
 #include "half_full_box.h"
+#include "verdict.h"
 
 using namespace dealii;
 using namespace seiche;
@@ -288,8 +289,8 @@ namespace
       }
     // four corners of each cell that is wet, as many points as there are
     const unsigned int n = Totals<dim>(0.).n_points;
-    std::cout << "  last frame: all points " << (n_points == n ? "yes" : "NO")
-              << ", corners of wet cells " << (n_corners == n ? "yes" : "NO")
+    std::cout << "  last frame: all points " << verdict(n_points == n)
+              << ", corners of wet cells " << verdict(n_corners == n)
               << "; HDF5 frames " << n_frames << '\n'
               << std::endl;
     std::filesystem::remove_all(name);

@@ -3,7 +3,7 @@
 #include <seiche/scene/box_part.h>
 #include <seiche/scene/fluid_body.h>
 
-#include <iomanip>
+#include <cmath>
 
 #include "scene_from_text.h"
 
@@ -25,8 +25,13 @@ namespace
 
 
 
+  /// Area, summed over boxes, and box.
   void
-  measure(const std::string &entries)
+  measure(const char             *name,
+          const std::string      &entries,
+          const double            exact_area,
+          const dealii::Point<2> &lower_corner,
+          const dealii::Point<2> &upper_corner)
   {
     std::unique_ptr<SceneFromText<2>> scene;
     const auto                        region = make(entries, scene);
@@ -44,8 +49,11 @@ namespace
                     .share;
         }
     const auto corners = region->bounding_box().get_boundary_points();
-    std::cout << "area " << area << " box " << corners.first << " to "
-              << corners.second << std::endl;
+    std::cout << name << ": area "
+              << verdict(std::abs(area - exact_area) < 1e-8) << ", box "
+              << verdict(corners.first.distance(lower_corner) < 1e-12 &&
+                         corners.second.distance(upper_corner) < 1e-12)
+              << std::endl;
   }
 } // namespace
 
@@ -55,16 +63,40 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  std::cout << std::setprecision(9);
-
-  measure("set Lower corner = 0.1, 0.2\n set Upper corner = 0.9, 0.7\n");
-  measure("set Shape = ball\n set Centre = 1, 0.5\n set Radius = 0.4\n");
-  measure("set Shape = ellipsoid\n set Centre = 1, 0.5\n"
-          " set Semi-axes = 0.8, 0.4\n");
-  measure("set Shape = polygon\n set Vertices = 0 0, 1 0, 0 1\n");
-  measure("set Shape = polygon\n set Vertices = 0 0, 0 1, 0.5 0.5, 1 1, 1 0\n");
-  measure(
-    "set Shape = expression\n set Expression = y - 0.5 + 0.1*cos(pi*x)\n");
+  using dealii::Point;
+  const double pi = dealii::numbers::PI;
+  measure("box",
+          "set Lower corner = 0.1, 0.2\n set Upper corner = 0.9, 0.7\n",
+          0.8 * 0.5,
+          Point<2>(0.1, 0.2),
+          Point<2>(0.9, 0.7));
+  measure("ball",
+          "set Shape = ball\n set Centre = 1, 0.5\n set Radius = 0.4\n",
+          pi * 0.4 * 0.4,
+          Point<2>(0.6, 0.1),
+          Point<2>(1.4, 0.9));
+  measure("ellipsoid",
+          "set Shape = ellipsoid\n set Centre = 1, 0.5\n"
+          " set Semi-axes = 0.8, 0.4\n",
+          pi * 0.8 * 0.4,
+          Point<2>(0.2, 0.1),
+          Point<2>(1.8, 0.9));
+  measure("triangle",
+          "set Shape = polygon\n set Vertices = 0 0, 1 0, 0 1\n",
+          0.5,
+          Point<2>(0., 0.),
+          Point<2>(1., 1.));
+  measure("polygon with a notch",
+          "set Shape = polygon\n"
+          "set Vertices = 0 0, 0 1, 0.5 0.5, 1 1, 1 0\n",
+          0.75,
+          Point<2>(0., 0.),
+          Point<2>(1., 1.));
+  measure("expression, box of the domain",
+          "set Shape = expression\n set Expression = y - 0.5 + 0.1*cos(pi*x)\n",
+          1.,
+          Point<2>(0., 0.),
+          Point<2>(2., 1.));
 
   for (const char *entries :
        {"set Lower corner = 0.1\n set Upper corner = 0.9, 0.7\n",

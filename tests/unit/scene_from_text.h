@@ -13,8 +13,11 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
+
+#include "verdict.h"
 
 /// The items on one line, from the first rank.
 template <typename... T>
@@ -91,6 +94,32 @@ struct SceneFromText
   seiche::GridParameters<dim>         grid_parameters;
   seiche::SeedingParameters           seeding;
   std::vector<seiche::FluidBody<dim>> bodies;
+};
+
+/// A scene with grid and points, of one material of a density [kg/m^3].
+template <int dim>
+struct SeededScene
+{
+  SeededScene(const std::string                   &text,
+              const double                         density,
+              const std::set<seiche::PointColumn> &columns = {},
+              const MPI_Comm communicator                  = MPI_COMM_WORLD)
+    : scene(text)
+    , grid(scene.grid_parameters, communicator)
+    , locator(grid)
+    , points(locator, columns, communicator)
+    , result(seiche::seed_bodies(scene.seeding,
+                                 scene.bodies,
+                                 scene.input,
+                                 material_of_density(density),
+                                 points))
+  {}
+
+  const SceneFromText<dim>    scene;
+  seiche::BackgroundGrid<dim> grid;
+  seiche::CellLocator<dim>    locator;
+  seiche::PointCloud<dim>     points;
+  const seiche::SeedingResult result;
 };
 
 /// Prints the message of the InputError that the action throws.

@@ -1,53 +1,74 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Number, mass, spacing and jitter of the points at the start.
-#include <iomanip>
+#include <cmath>
 
 #include "scene_from_text.h"
 
 namespace
 {
+  using namespace dealii;
+
+  /// What is known of the points of a scene with density 2 kg/m^3.
+  template <int dim>
+  struct Truth
+  {
+    unsigned int   n_points;
+    double         spacing; // [m]
+    double         volume;
+    Point<dim>     centre;
+    Tensor<2, dim> gradient = {}; // v = gradient x, or 0 beyond @p end
+    double         end      = 10.;
+    double         blur     = 1e-9; // of the centre [m]
+  };
+
+
+
   template <int dim>
   void
-  seed(const std::string &name, const std::string &text)
+  seed(const std::string &name,
+       const std::string &text,
+       const Truth<dim>  &truth)
   {
-    const SceneFromText<dim>          scene(text);
-    const seiche::BackgroundGrid<dim> grid(scene.grid_parameters,
-                                           MPI_COMM_WORLD);
-    const seiche::CellLocator<dim>    locator(grid);
-    seiche::PointCloud<dim>           points(locator,
-                                   {seiche::PointColumn::velocity_gradient},
-                                   MPI_COMM_WORLD);
-    const seiche::SeedingResult       result =
-      seiche::seed_bodies(scene.seeding,
-                          scene.bodies,
-                          scene.input,
-                          material_of_density(2.),
-                          points);
-
-    double                  mass = 0.;
-    dealii::Point<dim>      centre;
-    dealii::Tensor<1, dim>  momentum;
-    dealii::Tensor<2, dim>  gradient;
-    std::set<std::uint64_t> ids(points.ids().begin(), points.ids().end());
+    const SeededScene<dim> seeded(text,
+                                  2.,
+                                  {seiche::PointColumn::velocity_gradient});
+    const auto            &points = seeded.points;
+    double                 mass   = 0.;
+    Tensor<1, dim>         centre;
+    bool                   right = true;
     for (std::size_t p = 0; p < points.size(); ++p)
       {
         const double m = points.data(seiche::PointColumn::mass)[p];
+        const auto   x = points.position(p);
         mass += m;
-        centre += m * points.position(p);
+        centre += m * x;
+        const auto G = (x[0] < truth.end ? 1. : 0.) * truth.gradient;
+        const auto v = G * x;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            momentum[d] += m * points.data(seiche::PointColumn::velocity, d)[p];
+            right &= std::abs(points.data(seiche::PointColumn::velocity, d)[p] -
+                              v[d]) < 1e-12;
             for (unsigned int e = 0; e < dim; ++e)
-              gradient[d][e] +=
-                m * points.data(seiche::PointColumn::velocity_gradient,
-                                d * dim + e)[p];
+              right &=
+                std::abs(points.data(seiche::PointColumn::velocity_gradient,
+                                     d * dim + e)[p] -
+                         G[d][e]) < 1e-7; // by differences
           }
       }
-    std::cout << name << ": points " << result.n_points << " different ids "
-              << (ids.size() == points.size()) << " half spacing "
-              << result.half_spacing << " mass " << mass << " centre "
-              << centre / mass << "\n  velocity " << momentum / mass
-              << " gradient " << gradient / mass << std::endl;
+    const double off = truth.centre.distance(Point<dim>(centre / mass));
+    const std::set<std::uint64_t> ids(points.ids().begin(), points.ids().end());
+    const auto                   &result = seeded.result;
+    std::cout << dim << "D " << name << ": " << result.n_points
+              << " points, as many as expected "
+              << verdict(result.n_points == truth.n_points &&
+                         points.size() == truth.n_points)
+              << ", different ids " << verdict(ids.size() == points.size())
+              << ", spacing "
+              << verdict(std::abs(2. * result.half_spacing - truth.spacing) <
+                         1e-12)
+              << ", mass " << verdict(std::abs(mass - 2. * truth.volume) < 1e-9)
+              << ", centre " << verdict(off < truth.blur)
+              << ", velocities and gradients " << verdict(right) << std::endl;
   }
 
 
@@ -64,44 +85,62 @@ int
 main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  std::cout << std::setprecision(10);
-
-  const std::string column =
+  const std::string                        column =
     "subsection Fluid body column\n set Lower corner = 0, 0\n"
     "set Upper corner = 1.2, 0.6\n set Velocity = 2*y; -3*x + y\nend\n";
-  seed<2>("column", tank + column);
+  const Tensor<2, 2> shear({{0., 2.}, {-3., 1.}});
+  const Truth<2>     whole = {
+        24 * 12 * 16, 0.0125, 1.2 * 0.6, Point<2>(0.6, 0.3), shear};
+  Truth<2> other = whole;
+  seed<2>("column", tank + column, whole);
+  other.blur = 1e-4; // a random walk of 4608 points by half a spacing
   seed<2>("jittered",
-          tank + column + "subsection Points\n set Jitter = 0.5\nend\n");
+          tank + column + "subsection Points\n set Jitter = 0.5\nend\n",
+          other);
   seed<2>("faces between grid lines",
           tank + "subsection Fluid body a\n set Lower corner = 0.113, 0.201\n"
-                 "set Upper corner = 1.307, 0.333\nend\n");
+                 "set Upper corner = 1.307, 0.333\nend\n",
+          {1056, 0.006, 1.194 * 0.132, Point<2>(0.71, 0.267)});
+  other = {24 * 12 * 24, 0.011125, 1.8 * 0.6, Point<2>(0.9, 0.3), shear, 1.2};
   seed<2>("first body wins",
           tank + column +
             "subsection Fluid body wide\n set Lower corner = 0.6, 0\n"
-            "set Upper corner = 1.8, 0.6\nend\n");
+            "set Upper corner = 1.8, 0.6\nend\n",
+          other);
   seed<2>("ball",
           tank + "subsection Fluid body ball\n set Shape = ball\n"
-                 "set Centre = 1, 1\n set Radius = 0.5\nend\n");
+                 "set Centre = 1, 1\n set Radius = 0.5\nend\n",
+          {5084, 0.0125, 0.25 * numbers::PI, Point<2>(1., 1.)});
+  other = {(24 * 12 - 8 * 6) * 16,
+           0.0125,
+           1.2 * 0.6 - 0.4 * 0.3,
+           Point<2>(0.6, 0.33),
+           shear};
   seed<2>("around an obstacle",
           tank + column +
             "subsection Obstacle a\n set Lower corner = 0.4, 0\n"
-            "set Upper corner = 0.8, 0.3\nend\n");
+            "set Upper corner = 0.8, 0.3\nend\n",
+          other);
+  const Tensor<2, 3> turn({{0., 0., 1.}, {1., 0., 0.}, {0., 2., 0.}});
   seed<3>("column",
           "subsection Grid\n set Lower corner = 0, 0, 0\n"
           "set Upper corner = 1.6, 0.4, 0.8\n set Cell size = 0.05\nend\n"
           "subsection Fluid body column\n set Lower corner = 0, 0, 0\n"
           "set Upper corner = 0.4, 0.4, 0.4\n set Velocity = z; x; 2*y\nend\n"
-          "subsection Points\n set Per cell and direction = 2\nend\n");
+          "subsection Points\n set Per cell and direction = 2\nend\n",
+          {8 * 8 * 8 * 8, 0.025, 0.064, Point<3>(0.2, 0.2, 0.2), turn});
 
   print_input_error([]() {
     seed<2>("nothing",
             tank + "subsection Fluid body drop\n set Shape = ball\n"
-                   "set Centre = 1, 1\n set Radius = 0.001\nend\n");
+                   "set Centre = 1, 1\n set Radius = 0.001\nend\n",
+            {});
   });
   print_input_error([]() {
     seed<2>("singular",
             tank + "subsection Fluid body drop\n set Shape = ball\n"
                    "set Centre = 1, 1\n set Radius = 0.5\n"
-                   "set Velocity = log(0.9 - x); 0\nend\n");
+                   "set Velocity = log(0.9 - x); 0\nend\n",
+            {});
   });
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Curved and inclined bodies: the points have the mass of the body, none is
+// Curved and inclined bodies: the points have their mass and centre, none is
 // light, and the surface that follows from them is the body's, not a staircase.
-// Same output on any number of ranks.
+// Several ranks make the points of one.
 #include <seiche/grid/fill.h>
 
 #include <cmath>
 #include <iomanip>
 #include <map>
-#include <set>
 #include <sstream>
 
 #include "scene_from_text.h"
@@ -24,19 +23,14 @@ namespace
   template <int dim>
   struct Truth
   {
-    double volume;
-    double mass_error = 1e-9; // relative
+    double     volume;
+    Point<dim> centre;
+    double     error = 1e-9; // relative, and of the centre [m]
     /// From the surface [m]; empty: not measured.
     std::function<double(const Point<dim> &)> distance = {};
     double                                    rms      = 0.; // of it [cells]
     bool                                      has_tips = false;
   };
-
-  const char *
-  verdict(const bool good)
-  {
-    return good ? "yes" : "NO";
-  }
 
   /// Root mean square [cells] of the distances of the level set's zeros on the
   /// edges of cells that touch no wall.
@@ -98,62 +92,79 @@ namespace
            "\nend\n";
   }
 
+  /// Place and volume of the points of this rank, by id.
+  template <int dim>
+  std::map<std::uint64_t, std::pair<Point<dim>, double>>
+  by_id(const seiche::PointCloud<dim> &points)
+  {
+    std::map<std::uint64_t, std::pair<Point<dim>, double>> result;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      result[points.ids()[p]] = {points.position(p),
+                                 points.data(
+                                   seiche::PointColumn::initial_volume)[p]};
+    return result;
+  }
+
+  /// Whether the points of all ranks are those that one rank makes by itself.
+  template <int dim>
+  bool
+  is_as_on_one_rank(const std::string &text, const SeededScene<dim> &shared)
+  {
+    const SeededScene<dim> alone(text, 1., {}, MPI_COMM_SELF);
+    const auto             all   = by_id(alone.points);
+    bool                   right = all.size() == alone.points.size() &&
+                 shared.points.n_global() == alone.points.size();
+    for (const auto &[id, point] : by_id(shared.points))
+      right &= all.count(id) > 0 && all.at(id) == point;
+    return Utilities::MPI::min(right ? 1 : 0, MPI_COMM_WORLD) == 1;
+  }
+
   template <int dim>
   void
   check(const std::string &name,
         const std::string &bodies,
         const Truth<dim>  &truth)
   {
-    const unsigned int          per = dim == 2 ? 3 : 2;
-    const SceneFromText<dim>    scene(grid_text<dim>(per) + bodies);
-    seiche::BackgroundGrid<dim> grid(scene.grid_parameters, MPI_COMM_WORLD);
-    seiche::CellLocator<dim>    locator(grid);
-    seiche::PointCloud<dim>     points(locator, {}, MPI_COMM_WORLD);
-    const auto                  result = seiche::seed_bodies(scene.seeding,
-                                            scene.bodies,
-                                            scene.input,
-                                            material_of_density(1.),
-                                            points);
+    const std::string      text = grid_text<dim>(dim == 2 ? 3 : 2) + bodies;
+    const SeededScene<dim> seeded(text, 1.);
+    const auto            &points = seeded.points;
 
     double         mass = 0., lightest = 1.;
-    Tensor<1, dim> checksum; // of ids and places
+    Tensor<1, dim> centre;
     for (std::size_t p = 0; p < points.size(); ++p)
       {
         const double m = points.data(seiche::PointColumn::mass)[p];
         mass += m;
         lightest = std::min(lightest, m);
-        checksum +=
-          m * (points.ids()[p] % 1009) * (points.position(p) - Point<dim>());
+        centre += m * points.position(p);
       }
     mass     = Utilities::MPI::sum(mass, MPI_COMM_WORLD);
     lightest = Utilities::MPI::min(lightest, MPI_COMM_WORLD);
-    checksum = Utilities::MPI::sum(checksum, MPI_COMM_WORLD);
-    std::set<std::uint64_t> ids;
-    for (const auto &own :
-         Utilities::MPI::all_gather(MPI_COMM_WORLD, points.ids()))
-      ids.insert(own.begin(), own.end());
+    centre   = Utilities::MPI::sum(centre, MPI_COMM_WORLD) / mass;
 
-    const double       place = std::pow(2. * result.half_spacing, dim);
-    std::ostringstream text;
-    text << std::setprecision(8) << dim << "D " << name << ": mass "
-         << verdict(std::abs(mass / truth.volume - 1.) < truth.mass_error);
+    const double       place = std::pow(2. * seeded.result.half_spacing, dim);
+    const double       off   = truth.centre.distance(Point<dim>(centre));
+    std::ostringstream line;
+    line << dim << "D " << name << ": mass "
+         << verdict(std::abs(mass / truth.volume - 1.) < truth.error)
+         << ", centre " << verdict(off < truth.error);
     if (!truth.has_tips)
-      text << ", none light " << verdict(lightest > 0.149 * place);
+      line << ", none light " << verdict(lightest > 0.149 * place);
     if (truth.distance)
       {
-        seiche::Occupancy<dim> occupancy(locator, 1);
+        seiche::Occupancy<dim> occupancy(seeded.locator, 1);
         seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::cut_cells);
         occupancy.update(points);
         fill.update(points);
         const double distance = distance_of_surface(fill, truth);
-        text << ", surface " << verdict(distance < truth.rms);
+        line << ", surface " << verdict(distance < truth.rms);
         if (distance >= truth.rms)
-          text << " (off by " << distance << ")";
+          line << " (off by " << distance << ")";
       }
-    text << ", ids " << verdict(ids.size() == result.n_points) << "; points "
-         << result.n_points << " checksum " << checksum;
-    print(text.str());
-    if (std::abs(mass / truth.volume - 1.) >= truth.mass_error)
+    line << ", " << seeded.result.n_points << " points, as on one rank "
+         << verdict(is_as_on_one_rank(text, seeded));
+    print(line.str());
+    if (std::abs(mass / truth.volume - 1.) >= truth.error)
       print("  relative error of the mass ", mass / truth.volume - 1.);
     if (!truth.has_tips && lightest <= 0.149 * place)
       print("  lightest ", lightest / place);
@@ -163,30 +174,18 @@ namespace
   void
   compare_with_box()
   {
-    std::map<std::uint64_t, std::array<double, 3>> seeded[2];
-    for (const bool box : {false, true})
-      {
-        const SceneFromText<2> scene(
-          grid_text<2>(4) + "subsection Points\n set Jitter = 0.4\nend\n" +
-          body(box ? "box\n set Lower corner = 0, 0\n"
-                     "set Upper corner = 2, 0.5" :
-                     "expression\n set Expression = y - 0.5"));
-        seiche::BackgroundGrid<2> grid(scene.grid_parameters, MPI_COMM_WORLD);
-        seiche::CellLocator<2>    locator(grid);
-        seiche::PointCloud<2>     points(locator, {}, MPI_COMM_WORLD);
-        seiche::seed_bodies(scene.seeding,
-                            scene.bodies,
-                            scene.input,
-                            material_of_density(1.),
-                            points);
-        for (std::size_t p = 0; p < points.size(); ++p)
-          seeded[box][points.ids()[p]] = {
-            {points.position(p)[0],
-             points.position(p)[1],
-             points.data(seiche::PointColumn::initial_volume)[p]}};
-      }
-    print("flat expression, the points of a box: ",
-          verdict(seeded[0] == seeded[1]));
+    const auto seeded = [](const std::string &shape) {
+      return by_id(
+        SeededScene<2>(grid_text<2>(4) +
+                         "subsection Points\n set Jitter = 0.4\nend\n" +
+                         body(shape),
+                       1.)
+          .points);
+    };
+    const bool same =
+      seeded("expression\n set Expression = y - 0.5") ==
+      seeded("box\n set Lower corner = 0, 0\n set Upper corner = 2, 0.5");
+    print("flat expression, the points of a box: ", verdict(same));
   }
 
   std::string
@@ -195,6 +194,22 @@ namespace
     std::ostringstream text;
     text << std::setprecision(17) << value;
     return text.str();
+  }
+
+  /// Area and centre.
+  Truth<2>
+  truth_of_polygon(const std::vector<Point<2>> &corners)
+  {
+    double       area = 0.;
+    Tensor<1, 2> sum;
+    for (unsigned int i = 0; i < corners.size(); ++i)
+      {
+        const auto  &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        const double twice = a[0] * b[1] - a[1] * b[0];
+        area += 0.5 * twice;
+        sum += twice / 6. * (Tensor<1, 2>(a) + b);
+      }
+    return {area, Point<2>(sum / area)};
   }
 
   const std::string ramp = body("polygon\n set Vertices = 0 0, 2 0, 2 " +
@@ -210,10 +225,14 @@ namespace
   void
   check_2d()
   {
-    const double volume = 2. * 0.313 + 2. * slope;
+    const auto height = [](const double x) { return 0.313 + slope * x; };
+    const auto whole =
+      truth_of_polygon({{0., 0.}, {2., 0.}, {2., height(2.)}, {0., 0.313}});
+    const Point<2> ball(0.93, 0.513);
     check<2>("ramp, polygon",
              ramp,
-             {volume,
+             {whole.volume,
+              whole.centre,
               1e-9,
               [](const Point<2> &x) {
                 return (x[1] - 0.313 - slope * x[0]) *
@@ -223,6 +242,7 @@ namespace
     check<2>("ball",
              ball_2d,
              {pi * 0.41 * 0.41,
+              ball,
               1e-9,
               [](const Point<2> &x) {
                 return x.distance(Point<2>(0.93, 0.513)) - 0.41;
@@ -231,11 +251,12 @@ namespace
     check<2>("ellipse",
              body("ellipsoid\n set Centre = 0.93, 0.513\n"
                   "set Semi-axes = 0.81, 0.22"),
-             {pi * 0.81 * 0.22});
+             {pi * 0.81 * 0.22, ball});
     check<2>("wave, expression",
              body("expression\n"
                   "set Expression = y - 0.513 - 0.1*cos(2*pi*x)"),
              {2. * 0.513,
+              Point<2>(1., (0.513 * 0.513 + 0.005) / (2. * 0.513)),
               1e-9,
               [](const Point<2> &x) {
                 return (x[1] - 0.513 - 0.1 * std::cos(2. * pi * x[0])) /
@@ -245,20 +266,37 @@ namespace
     check<2>("parallelogram, expression",
              body("expression\n set Expression = "
                   "max(abs(x-1+0.2*y) - 0.513, abs(y - 0.51)-0.2773)"),
-             {4. * 0.513 * 0.2773, 1e-6});
+             {4. * 0.513 * 0.2773, Point<2>(1. - 0.2 * 0.51, 0.51), 1e-6});
+    auto star     = truth_of_polygon({{0.2, 0.2},
+                                      {1., 0.4},
+                                      {1.8, 0.21},
+                                      {1.3, 0.5},
+                                      {1.77, 0.9},
+                                      {1.01, 0.7},
+                                      {0.21, 0.9},
+                                      {0.7, 0.5}});
+    star.error    = 1e-6;
+    star.has_tips = true;
     check<2>("star, polygon",
              body("polygon\n set Vertices = 0.2 0.2, 1 0.4, 1.8 0.21, "
                   "1.3 0.5, 1.77 0.9, 1.01 0.7, 0.21 0.9, 0.7 0.5"),
-             {0.4445, 1e-6, {}, 0., true});
+             star);
     check<2>("ramp around an obstacle",
              ramp + "subsection Obstacle a\n set Lower corner = 1, 0\n"
                     "set Upper corner = 1.2, 0.8\nend\n",
-             {volume - 0.2 * (0.313 + 1.1 * slope)});
+             truth_of_polygon({{0., 0.},
+                               {1., 0.},
+                               {1., height(1.)},
+                               {1.2, height(1.2)},
+                               {1.2, 0.},
+                               {2., 0.},
+                               {2., height(2.)},
+                               {0., 0.313}}));
     check<2>("box around a ball",
              ball_2d + body("box\n set Lower corner = 0.21, 0.03\n"
                             "set Upper corner = 1.7, 0.97",
                             "b"),
-             {1.49 * 0.94});
+             {1.49 * 0.94, Point<2>(0.5 * 1.91, 0.5)});
     const double half_angle = std::acos(0.25 / 0.41);
     check<2>("two balls",
              ball_2d + body("ball\n set Centre = 1.43, 0.513\n"
@@ -266,6 +304,7 @@ namespace
                             "b"),
              {0.41 * 0.41 *
                 (2. * pi - 2. * half_angle + std::sin(2. * half_angle)),
+              Point<2>(1.18, 0.513),
               1e-6,
               {},
               0.,
@@ -275,17 +314,22 @@ namespace
                "set Lower corner = 0.5, 0.5\n"
                "set Upper corner = 1, 1\nend\n" +
                ball_2d,
-             {pi * 0.41 * 0.41});
+             {pi * 0.41 * 0.41, ball});
   }
 
   void
   check_3d()
   {
-    const double area = 4. / 3. * pi;
+    const double   area = 4. / 3. * pi;
+    const Point<3> ball(0.53, 0.513, 0.49);
+    const double   mean = 0.313 + 0.05 + 0.5 * slope; // height of the ramp
     check<3>("ramp, expression",
              body("expression\n set Expression = z - 0.313 - 0.1*y - x*" +
                   number(slope)),
-             {0.313 + 0.5 * slope + 0.05,
+             {mean,
+              Point<3>(0.5 + slope / 12. / mean,
+                       0.5 + 0.1 / 12. / mean,
+                       0.5 * mean + 0.5 * (slope * slope + 0.01) / 12. / mean),
               1e-9,
               [](const Point<3> &x) {
                 return (x[2] - 0.313 - slope * x[0] - 0.1 * x[1]) /
@@ -295,15 +339,19 @@ namespace
     check<3>("ball",
              ball_3d,
              {area * std::pow(0.41, 3),
+              ball,
               1e-9,
               [](const Point<3> &x) {
                 return x.distance(Point<3>(0.53, 0.513, 0.49)) - 0.41;
               },
               0.04});
+    const auto below =
+      truth_of_polygon({{0., 0.}, {1., 0.}, {1., 0.313 + slope}, {0., 0.313}});
     check<3>("ramp, polygon",
              body("polygon\n set Vertices = 0 0, 1 0, 1 " +
                   number(0.313 + slope) + ", 0 0.313"),
-             {0.313 + 0.5 * slope,
+             {below.volume,
+              Point<3>(below.centre[0], 0.5, below.centre[1]),
               1e-9,
               [](const Point<3> &x) {
                 return (x[2] - 0.313 - slope * x[0]) *
@@ -313,26 +361,31 @@ namespace
     check<3>("wedge, polygon with span",
              body("polygon\n set Vertices = 0.1 0.07, 0.9 0.07, 0.9 0.61\n"
                   "set Span = 0.23, 0.81"),
-             {0.5 * 0.8 * 0.54 * 0.58, 1e-6, {}, 0., true});
+             {0.5 * 0.8 * 0.54 * 0.58,
+              Point<3>(1.9 / 3., 0.52, 0.25),
+              1e-6,
+              {},
+              0.,
+              true});
     check<3>("ellipsoid",
              body("ellipsoid\n set Centre = 0.53, 0.513, 0.49\n"
                   "set Semi-axes = 0.43, 0.38, 0.21"),
-             {area * 0.43 * 0.38 * 0.21});
+             {area * 0.43 * 0.38 * 0.21, ball});
     check<3>("cylinder, expression",
              body("expression\n set Expression = "
                   "max((x-0.53)^2+(z-0.49)^2-0.1681, abs(y-0.513)-0.333)"),
-             {2. * 0.333 * pi * 0.1681, 1e-6});
+             {2. * 0.333 * pi * 0.1681, ball, 1e-6});
     check<3>("box around a ball",
              ball_3d + body("box\n set Lower corner = 0.11, 0.07, 0.03\n"
                             "set Upper corner = 0.97, 0.95, 0.93",
                             "b"),
-             {0.86 * 0.88 * 0.9, 1e-9});
+             {0.86 * 0.88 * 0.9, Point<3>(0.54, 0.51, 0.48)});
     check<3>("ball, finer cells",
              finer +
                "set Lower corner = 0.5, 0.5, 0\n"
                "set Upper corner = 1, 1, 0.5\nend\n" +
                ball_3d,
-             {area * std::pow(0.41, 3)});
+             {area * std::pow(0.41, 3), ball});
   }
 } // namespace
 

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "verdict.h"
+
 /// A line of a table of properties: a name, then verdicts and scores.
 class TableRow
 {
@@ -25,7 +27,7 @@ public:
   void
   verdict(const bool right)
   {
-    add(right ? "yes" : "NO");
+    add(::verdict(right));
   }
 
   /// Three digits behind the point; no zero has a sign, and NaN is "none".

@@ -9,6 +9,8 @@
 #include <iostream>
 #include <string>
 
+#include "verdict.h"
+
 namespace
 {
   using seiche::ErrorVerdict;
@@ -29,22 +31,40 @@ namespace
     return result;
   }
 
-  /// Two failures, then steps that succeed.
+  /// Two failures, then steps that succeed: a quarter of the size, which grows
+  /// by half after each three steps until it is past the one that failed.
   void
   test_failures(const std::string &control)
   {
-    TimeStepper stepper(make_parameters(control), "");
-    std::cout << control << ", two failures in the third step:";
+    TimeStepper  stepper(make_parameters(control), "");
+    const bool   by_error = control == "error";
+    double       expected = by_error ? 0.1 : 1., failed = 0.;
+    unsigned int n_left = 0;
+    bool         right  = true;
     for (unsigned int step = 0; step < 16; ++step)
       {
         double dt = stepper.next_step(/*speed_per_cell=*/0.1);
         if (step == 2)
-          for (unsigned int i = 0; i < 2; ++i)
-            dt = stepper.repeat("as a test");
+          {
+            for (unsigned int i = 0; i < 2; ++i)
+              dt = stepper.repeat("as a test");
+            failed = expected;
+            expected /= 4.;
+            n_left = 3;
+          }
         stepper.accept(/*error=*/1e-6);
-        std::cout << ' ' << dt;
+        right &= std::abs(dt / expected - 1.) < 1e-12;
+        if (expected >= failed || --n_left == 0)
+          {
+            expected = by_error ? 1.5 * expected : std::min(1.5 * expected, 1.);
+            n_left   = 3;
+          }
       }
-    std::cout << '\n';
+    std::cout << control
+              << ": two failures quarter the step, which then grows by half "
+                 "after each three steps: "
+              << verdict(right) << ", at the end "
+              << stepper.previous_step() / failed << " of what failed\n";
   }
 
   /// An error that no size cures: cuts, then the least size stays.

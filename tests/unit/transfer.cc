@@ -262,25 +262,23 @@ namespace
        const unsigned int degree   = 1,
        const std::string &mass     = "automatic")
   {
-    TableRow                    row(std::to_string(dim) + "D " + method +
+    TableRow                   row(std::to_string(dim) + "D " + method +
                    (adaptive ? ", hanging" : "") + (degree == 2 ? ", Q2" : "") +
                    (mass == "automatic" ? "" : ", " + mass),
                  name_width);
-    const SceneFromText<dim>    scene(scene_text<dim>(adaptive));
-    seiche::BackgroundGrid<dim> grid(scene.grid_parameters, communicator);
-    seiche::CellLocator<dim>    locator(grid);
-    seiche::TransferParameters  parameters;
+    seiche::TransferParameters parameters;
     parameters.method = method;
     parameters.mass   = mass;
-    seiche::PointCloud<dim> points(locator,
-                                   seiche::Transfer<dim>::columns(parameters),
-                                   communicator);
-    const auto              fluid = material_of_density(100.);
-    seiche::seed_bodies(
-      scene.seeding, scene.bodies, scene.input, fluid, points);
+    SeededScene<dim> seeded(scene_text<dim>(adaptive),
+                            100.,
+                            seiche::Transfer<dim>::columns(parameters));
+    auto            &points = seeded.points;
     if (adaptive)
-      seiche::MeshAdaptation<dim>(grid, locator, points, /*gauss=*/true);
-    seiche::Occupancy<dim> occupancy(locator, degree);
+      seiche::MeshAdaptation<dim>(seeded.grid,
+                                  seeded.locator,
+                                  points,
+                                  /*gauss=*/true);
+    seiche::Occupancy<dim> occupancy(seeded.locator, degree);
     occupancy.update(points);
     seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::cut_cells);
     fill.update(points);
@@ -289,6 +287,7 @@ namespace
                  /*with_pressure=*/true,
                  /*with_acceleration=*/
                  points.has(PointColumn::acceleration));
+    const auto                       fluid = material_of_density(100.);
     const seiche::CellMaterials<dim> materials(fluid, occupancy);
     const seiche::Transfer<dim>      transfer(parameters,
                                          fill,
