@@ -73,6 +73,44 @@ namespace
 
 
 
+  /// Jitter moves each point of a lattice evenly by up to this share of the
+  /// spacing either way. Both scenes have the same points in the same order.
+  void
+  compare_jittered(const std::string &text,
+                   const double       jitter,
+                   const double       spacing)
+  {
+    const SeededScene<2> even(text, 2.);
+    const SeededScene<2> moved(text + "subsection Points\n set Jitter = " +
+                                 std::to_string(jitter) + "\nend\n",
+                               2.);
+    Tensor<1, 2>         mean, square;
+    double               largest = 0.;
+    const auto           n       = even.points.size();
+    for (std::size_t p = 0; p < n; ++p)
+      {
+        const Tensor<1, 2> way =
+          (moved.points.position(p) - even.points.position(p)) /
+          (jitter * spacing);
+        for (unsigned int d = 0; d < 2; ++d)
+          {
+            mean[d] += way[d] / n;
+            square[d] += way[d] * way[d] / n;
+            largest = std::max(largest, std::abs(way[d]));
+          }
+      }
+    std::cout << "jitter: same points "
+              << verdict(even.points.ids() == moved.points.ids())
+              << ", even in both directions "
+              << verdict(largest < 1. && largest > 0.999 &&
+                         mean.norm() < 0.02 &&
+                         std::abs(square[0] - 1. / 3.) < 0.01 &&
+                         std::abs(square[1] - 1. / 3.) < 0.01)
+              << std::endl;
+  }
+
+
+
   const std::string tank = "subsection Grid\n set Lower corner = 0, 0\n"
                            "set Upper corner = 3.22, 3.0\n"
                            "set Break points x = 1.2\n set Cells x = 24, 40\n"
@@ -97,6 +135,7 @@ main(int argc, char **argv)
   seed<2>("jittered",
           tank + column + "subsection Points\n set Jitter = 0.5\nend\n",
           other);
+  compare_jittered(tank + column, 0.5, 0.0125);
   seed<2>("faces between grid lines",
           tank + "subsection Fluid body a\n set Lower corner = 0.113, 0.201\n"
                  "set Upper corner = 1.307, 0.333\nend\n",
