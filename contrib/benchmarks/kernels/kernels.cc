@@ -64,7 +64,7 @@ namespace
   void
   count_points(benchmark::State &state, const Workbench<dim> &bench)
   {
-    state.SetItemsProcessed(state.iterations() * bench.points.size());
+    state.SetItemsProcessed(state.iterations() * bench.problem.points.size());
   }
 
   template <int dim>
@@ -72,7 +72,7 @@ namespace
   count_cells(benchmark::State &state, const Workbench<dim> &bench)
   {
     state.SetItemsProcessed(state.iterations() *
-                            bench.occupancy.n_global_occupied_cells());
+                            bench.problem.occupancy.n_global_occupied_cells());
   }
 
   /// What an assembly takes its time for.
@@ -92,7 +92,7 @@ namespace
   {
     auto &bench = workbench<dim>(Cells::full);
     for (auto _ : state)
-      bench.transfer.points_to_grid(bench.points, bench.state);
+      bench.problem.transfer.points_to_grid(bench.problem.points, bench.state);
     count_points(state, bench);
   }
 
@@ -102,11 +102,11 @@ namespace
   grid_to_points(benchmark::State &state)
   {
     auto                   &bench = workbench<dim>(Cells::full);
-    seiche::PointCloud<dim> points(bench.points);
+    seiche::PointCloud<dim> points(bench.problem.points);
     bench.state.velocity_np1 = bench.state.velocity_n;
     bench.state.velocity_np1.update_ghost_values();
     for (auto _ : state)
-      bench.transfer.grid_to_points(bench.state, points);
+      bench.problem.transfer.grid_to_points(bench.state, points);
     count_points(state, bench);
   }
 
@@ -116,8 +116,8 @@ namespace
   locate_and_sort(benchmark::State &state)
   {
     auto                   &bench = workbench<dim>(Cells::full);
-    seiche::PointCloud<dim> points(bench.points);
-    double                  way = 0.25 * bench.occupancy.smallest_extent();
+    seiche::PointCloud<dim> points(bench.problem.points);
+    double way = 0.25 * bench.problem.occupancy.smallest_extent();
     for (auto _ : state)
       {
         state.PauseTiming();
@@ -137,10 +137,7 @@ namespace
   {
     auto &bench = workbench<dim>(Cells::full);
     for (auto _ : state)
-      {
-        bench.occupancy.update(bench.points);
-        bench.fill.update(bench.points);
-      }
+      bench.problem.find_cells();
     count_cells(state, bench);
   }
 
@@ -150,7 +147,7 @@ namespace
   {
     auto &bench = workbench<dim>(cells);
     for (auto _ : state)
-      bench.assembler.residual(bench.state, bench.residual);
+      bench.problem.assembler.residual(bench.state, bench.residual);
     count(state, bench, cells);
   }
 
@@ -160,7 +157,7 @@ namespace
   {
     auto &bench = workbench<dim>(cells);
     for (auto _ : state)
-      bench.assembler.tangent(bench.state, bench.matrix);
+      bench.problem.assembler.tangent(bench.state, bench.problem.matrix);
     count(state, bench, cells);
   }
 
@@ -170,10 +167,11 @@ namespace
   {
     auto &bench = workbench<dim>(Cells::full);
     for (auto _ : state)
-      bench.matrix.vmult(bench.solution, bench.residual);
-    const double entries =
-      double(bench.matrix.sparsity().n_entries()) * (dim + 1) * (dim + 1);
-    state.SetItemsProcessed(state.iterations() * bench.occupancy.n_own_nodes());
+      bench.problem.matrix.vmult(bench.solution, bench.residual);
+    const double entries = double(bench.problem.matrix.sparsity().n_entries()) *
+                           (dim + 1) * (dim + 1);
+    state.SetItemsProcessed(state.iterations() *
+                            bench.problem.occupancy.n_own_nodes());
     state.SetBytesProcessed(state.iterations() * entries * sizeof(double));
   }
 
@@ -184,15 +182,16 @@ namespace
   {
     auto                            &bench = workbench<dim>(Cells::full);
     seiche::BlockPreconditioner<dim> preconditioner(
-      seiche::multigrid_method(bench.scene.linear_solver.multigrid));
+      seiche::multigrid_method(bench.planned.scene.linear_solver.multigrid));
     for (auto _ : state)
       {
         preconditioner.reset();
-        preconditioner.initialize(bench.matrix,
-                                  bench.assembler,
+        preconditioner.initialize(bench.problem.matrix,
+                                  bench.problem.assembler,
                                   bench.state.mass);
       }
-    state.SetItemsProcessed(state.iterations() * bench.occupancy.n_own_nodes());
+    state.SetItemsProcessed(state.iterations() *
+                            bench.problem.occupancy.n_own_nodes());
   }
 
   template <int dim>
@@ -201,11 +200,14 @@ namespace
   {
     auto                            &bench = workbench<dim>(Cells::full);
     seiche::BlockPreconditioner<dim> preconditioner(
-      seiche::multigrid_method(bench.scene.linear_solver.multigrid));
-    preconditioner.initialize(bench.matrix, bench.assembler, bench.state.mass);
+      seiche::multigrid_method(bench.planned.scene.linear_solver.multigrid));
+    preconditioner.initialize(bench.problem.matrix,
+                              bench.problem.assembler,
+                              bench.state.mass);
     for (auto _ : state)
       preconditioner.vmult(bench.solution, bench.residual);
-    state.SetItemsProcessed(state.iterations() * bench.occupancy.n_own_nodes());
+    state.SetItemsProcessed(state.iterations() *
+                            bench.problem.occupancy.n_own_nodes());
   }
 
   /// A frame of the points and one of the cells, written to the disk.
