@@ -39,25 +39,24 @@ namespace seiche
              const PointCloud<dim>                         &points,
              const unsigned int                             cell)
     {
-      using Shape                       = Basis<dim, degree>;
-      constexpr unsigned int   n_nodes  = Shape::n_nodes;
-      const CellGeometry<dim> &geometry = points.locator.geometry(cell);
-      PointBatch<dim, degree>  batch;
-      CellSums<dim, degree>    sums;
+      using Shape                              = Basis<dim, degree>;
+      constexpr unsigned int          n_nodes  = Shape::n_nodes;
+      const CellGeometry<dim>        &geometry = points.locator.geometry(cell);
+      PointBatch<dim, degree, double> point; // its loops are over nodes
+      CellSums<dim, degree>           sums;
       for_each_range(points, cell, [&](const PointRange &range) {
-        const auto unit = geometry.to_unit(range.position(arrays.position));
-        batch.reinit_weights(unit);
-        const Lanes mass = range.load(arrays.mass);
-        Lanes       weights[n_nodes];
-        for (unsigned int i = 0; i < n_nodes; ++i)
-          weights[i] = batch.weight(i) * mass;
-        const PointRows<n_nodes> rows(weights);
+        const auto units = geometry.to_unit(range.position(arrays.position));
         for (unsigned int l = 0; l < range.size; ++l)
           {
-            const std::size_t p       = range.first + l;
-            const double(&N)[n_nodes] = rows.values[l];
+            const std::size_t  p = range.first + l;
+            dealii::Point<dim> unit;
+            for (unsigned int d = 0; d < dim; ++d)
+              unit[d] = units[d][l];
+            point.reinit_weights(unit);
+            double N[n_nodes];
             for (unsigned int i = 0; i < n_nodes; ++i)
               {
+                N[i] = point.weight(i) * arrays.mass[p];
                 sums.mass[i] += N[i];
                 sums.pressure[i] += N[i] * arrays.pressure[p];
               }
@@ -70,7 +69,7 @@ namespace seiche
                     {
                       slope[d] =
                         velocity.derivative(p, c, d) * geometry.edges[d];
-                      base -= slope[d] * unit[d][l];
+                      base -= slope[d] * unit[d];
                       slope[d] /= degree; // from node to node
                     }
                 for (unsigned int i = 0; i < n_nodes; ++i)
