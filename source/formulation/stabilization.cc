@@ -18,8 +18,9 @@ namespace seiche
     /// nothing.
     constexpr double largest_modulus = 2.;
 
-    /// tau2 is at least that of a step of (h/(b times this))^(1/2): with a
-    /// twentieth of it water at rest became restless after some 1000 steps.
+    /// tau2 is at least that of a step of (h/(b times this))^(1/2): below the
+    /// weight of a row of cells nothing holds the points' volumes against it,
+    /// and water at rest becomes restless (doc/journal/cut_cells.md).
     constexpr double weight_factor = 20.;
 
     /// c_1 2 mu c_r k^4/h^2.

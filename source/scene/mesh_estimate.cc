@@ -141,7 +141,7 @@ namespace seiche
     Estimator<dim> estimator(grid, map);
     map.for_each([&](const auto &piece) { estimator.add(piece); });
     MeshEstimate result = estimator.result;
-    // cells that the surface cuts; measured: it moves, and the fluid spreads
+    // cells that the surface cuts: it moves, and the fluid spreads
     constexpr double beside_surface = 0.75;
     result.occupied += beside_surface * result.surface;
     return result;

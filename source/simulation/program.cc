@@ -38,7 +38,7 @@ namespace seiche
       setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
       setenv("OMPI_MCA_pml", "ob1", keep);
       setenv("OMPI_MCA_btl", "self", keep);
-      // many starts at once fell over each other making its folder
+      // many starts at once would fall over each other making its folder
       setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
     }
 

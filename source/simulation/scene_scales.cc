@@ -23,7 +23,7 @@ namespace seiche
     constexpr double hardly_turns       = 0.6 * numbers::PI; // of a tank [rad]
 
     // cells in a step, where round-off of volumes or of viscous stresses is
-    // all that is left (measured: Newton stalls below 1e-9 of the latter)
+    // all that is left: Newton stalls below 1e-9 of the latter
     constexpr double hardly_moves = 1e-10, hardly_creeps = 2e-9,
                      surely_creeps = 1e-6;
 

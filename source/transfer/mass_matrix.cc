@@ -19,7 +19,7 @@ namespace seiche
     /// As gamma_a of the ghost penalty on accelerations, with which it shares
     /// the scale rho h^3, near the surface. Elsewhere less: clusters and gaps
     /// of the points leave combinations of a cell's nodes free in full cells
-    /// too (Taylor-Green with FE_Q(2), 32 cells: no convergence at 0.85 s).
+    /// too.
     constexpr double ghost_factor = 0.1, inner_factor = 0.01;
 
     constexpr double       tolerance      = 1e-12; // of the right-hand side

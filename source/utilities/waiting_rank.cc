@@ -23,8 +23,9 @@ namespace
   /// Between two looks at what else runs.
   constexpr auto look_again = 1s;
 
-  /// True if more processes want to run than there are processors: elsewhere a
-  /// nap of each wait made a small run on two ranks 2.6 times slower.
+  /// True if more processes want to run than there are processors: elsewhere
+  /// nobody needs the processor of a rank that waits, and a nap only makes it
+  /// answer late.
   bool
   is_crowded(const Clock::time_point now)
   {

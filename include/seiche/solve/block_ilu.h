@@ -16,7 +16,7 @@ namespace seiche
    * which halves the traffic of a solve; each row is computed in double. (Saad
    * 2003, "Iterative methods for sparse linear systems", 10.3, 10.6. A scalar
    * ILU for all components, also with fill, leaves out the coupling through
-   * tau2, which in spray took five times the iterations.)
+   * tau2, and spray then takes many more iterations.)
    */
   template <int dim>
   class BlockILU

@@ -20,8 +20,9 @@ namespace seiche
    * [row field], and, in a second array, the column of the pressure: a product
    * reads each once and fills the vector registers with the rows, and the
    * product with G alone reads a quarter. Rows of nodes away from the fluid
-   * are multiples of identity and cost nothing. (Four Epetra matrices took
-   * 1.4 times the memory and traffic, twice the memory on several ranks.)
+   * are multiples of identity and cost nothing. (Four Epetra matrices
+   * would hold an index for each number, and on several ranks every block
+   * twice, as assembled and as owned rows.)
    */
   template <int dim>
   class BlockMatrix
@@ -48,7 +49,7 @@ namespace seiche
     set_zero();
 
     /// Ask for the memory of the cell's entries, to be there when its blocks
-    /// are (a third of add_cell()'s time was waiting for it).
+    /// are: add_cell() would wait for it.
     void
     prefetch_cell(const unsigned int cell) const;
 

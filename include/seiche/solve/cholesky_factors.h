@@ -30,7 +30,7 @@ namespace seiche
     /// Factorise; false, and empty, if the matrix is not positive definite. The
     /// order of elimination of the matrix before serves if that had the same
     /// number of rows and @p numbering, and as long as the factors do not grow
-    /// by it: a third of the work goes into a new one.
+    /// by it: a new one is a good part of the work.
     bool
     initialize(LowerTriangle &matrix, const unsigned int numbering);
 

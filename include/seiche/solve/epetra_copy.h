@@ -27,7 +27,7 @@ namespace seiche
 
   /// Diagonal entry of an own row of a square block. (Epetra keeps own columns
   /// first and in the order of the rows, so that both have one local index; its
-  /// ExtractDiagonalCopy searches global indices, which took 9 % of a 3D step.)
+  /// ExtractDiagonalCopy would search global indices row by row.)
   double &
   diagonal_entry(const Epetra_CrsMatrix &matrix, const int row);
 } // namespace seiche

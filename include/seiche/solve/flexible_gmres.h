@@ -15,7 +15,7 @@ namespace seiche
    *
    * One product and one application of the preconditioner an iteration, none
    * besides: dealii::SolverFGMRES (9.4) makes two products and one application
-   * more in each solve, a fifth of one that takes six iterations.
+   * more in each solve, and solves of a few iterations are the rule here.
    */
   template <typename Vector>
   class FlexibleGMRES

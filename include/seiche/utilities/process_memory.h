@@ -5,7 +5,7 @@
 namespace seiche
 {
   /// Freed memory stays with the process: the arrays of a step come and go with
-  /// the same sizes, and clearing new pages takes 5 to 7 % of a 3D step.
+  /// the same sizes, and the system would clear new pages for them each time.
   /// Does nothing with other C libraries than glibc.
   void
   keep_freed_memory();

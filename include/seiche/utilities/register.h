@@ -29,8 +29,8 @@ namespace seiche
    * dealii::VectorizedArray is as wide as deal.II's own build, two doubles in
    * Debian's.) @p n: up to 4; for 3, four numbers are read and the last means
    * nothing: one more must follow an array. (Three numbers copied through
-   * memory are read before they are all written: products took eight times as
-   * long.)
+   * memory would be read before they are all written, and each product would
+   * wait for that.)
    */
   template <unsigned int n>
   struct Register
