@@ -198,7 +198,8 @@ namespace seiche
         }
     }
 
-    /// Adds the part of @p box, the share @p size of the first one.
+    /// Adds the part of @p box, the first one halved @p depth times along each
+    /// axis.
     template <int dim>
     void
     add_part(const typename BoxPart<dim>::Level &level,

@@ -60,7 +60,7 @@ namespace
     return sum;
   }
 
-  /// @p places of a unit cube, mapped to a cell or one of its faces.
+  /// @p f at some places of a unit cube, mapped to a cell or one of its faces.
   template <int dim, typename Function>
   void
   for_each_place(const CellLocator<dim> &locator,

@@ -14,7 +14,8 @@
 namespace seiche
 {
   /**
-   * @brief Everything a weak form reads and writes of one cell.
+   * @brief Everything a weak form reads and writes of one cell; acceleration
+   * and velocity of the step as in doc/theory.md (3.1), (8.7).
    *
    * Allocated once by the assembler. The node index runs fastest in every
    * array, so that loops over nodes fill the vector registers.

@@ -39,20 +39,20 @@ namespace seiche
   };
 
   /// Ratio of viscous forces to inertia in a cell, mu c_r/(rho C_a h^2), below
-  /// which the tangent leaves viscous terms out.
+  /// which the tangent leaves viscous terms out (doc/theory.md (10.3)).
   constexpr double negligible_viscosity = 1e-4;
 
   /// Ratio of the subscale's share in a point's displacement to the cell,
   /// theta tau1 |r|/h, below which the tangent leaves out that the gradients in
-  /// the subscale's term turn with u.
+  /// the subscale's term turn with u (the same).
   constexpr double negligible_turn = 0.005;
 
   /**
    * @brief A weak form: residual and tangent of one cell.
    *
    * One virtual call a cell, for each element degree; the loops over
-   * quadrature points and nodes are inside. Equations: doc/theory.md,
-   * section 4.
+   * quadrature points and nodes are inside. Equations: doc/theory.md (4.1) to
+   * (4.7); tangents (4.7a) to (4.7e).
    */
   template <int dim>
   class Formulation
@@ -107,7 +107,7 @@ namespace seiche
 
     /// True if the tangent has viscous terms: not where they are so small
     /// beside inertia that Newton's iteration does not miss them
-    /// (doc/theory.md, section 10).
+    /// (doc/theory.md (10.3)).
     template <int degree>
     static bool
     tangent_is_viscous(const CellData<dim, degree> &cell)

@@ -9,7 +9,8 @@
 namespace seiche
 {
   /// f(grad_n N, weight) at degree + 1 Gauss points per direction of a cell;
-  /// weights sum to 1.
+  /// weights sum to 1. For the mean over a cell of the integrand of
+  /// doc/theory.md (6.3).
   template <int dim, int degree, typename Function>
   void
   for_each_gauss_gradient(const CellGeometry<dim> &geometry, const Function &f)

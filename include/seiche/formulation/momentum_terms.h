@@ -10,7 +10,8 @@ namespace seiche
 {
   /**
    * @brief The terms of the momentum balance that all formulations share:
-   * inertia, body force, stress, their derivatives; at several points at once.
+   * inertia, body force, stress, their derivatives; at several points at once
+   * (doc/theory.md (4.1), (4.2), (4.7a)).
    */
   template <int dim, int degree>
   struct MomentumTerms
@@ -52,10 +53,10 @@ namespace seiche
      * + theta V_t {(div_t du) S:grad_t w - S:(grad_t w grad_t du)}
      * + bulk V_t dg[du] div_t w,
      * where S = s - pressure I, ds as of ViscousStress with dl = (c_r I -
-     * theta l) grad_t du, and -bulk g is the pressure that depends on u: tau2
-     * and the constraint (mixed), kappa and the volume (irreducible);
-     * @p slope[k][b] is dg/du_kb. s counts if @p is_viscous. The first
-     * @p n_points of the lanes count.
+     * theta l) grad_t du (doc/theory.md (4.6), (4.7)), and -bulk g is the
+     * pressure that depends on u: tau2 and the constraint (mixed), kappa and
+     * the volume (irreducible); @p slope[k][b] is dg/du_kb. s counts if
+     * @p is_viscous. The first @p n_points of the lanes count.
      */
     static void
     add_tangent(CellData<dim, degree>    &cell,

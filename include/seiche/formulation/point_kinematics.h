@@ -10,7 +10,7 @@ namespace seiche
    * @brief Kinematics at several quadrature points.
    *
    * Configuration t: x_n + theta u (forces); configuration 1: x_n + u
-   * (constraint). Notation of doc/theory.md, section 4: f_t = I + theta H, H =
+   * (constraint). Notation of doc/theory.md, section 2: f_t = I + theta H, H =
    * grad_n u, grad_t N = f_t^-T grad_n N.
    */
   template <int dim, int degree>
@@ -57,7 +57,8 @@ namespace seiche
 
     /**
      * N_,jk = N_,PQ f^-1_Pj f^-1_Qk - theta N_,m u_m,PQ f^-1_Pj f^-1_Qk in the
-     * configuration t, after evaluate() at the same point.
+     * configuration t (doc/theory.md (4.4a)), after evaluate() at the same
+     * point.
      */
     void
     evaluate_second_derivatives(const CellData<dim, degree> &cell,

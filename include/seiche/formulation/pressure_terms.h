@@ -9,7 +9,8 @@ namespace seiche
 {
   /**
    * @brief Derivatives of the mixed form that the pressure takes part in, at
-   * several points at once; of the lanes the first n_points count.
+   * several points at once (doc/theory.md (4.7b) to (4.7e)); of the lanes the
+   * first n_points count.
    */
   template <int dim, int degree>
   struct PressureTerms

@@ -11,7 +11,7 @@ namespace seiche
 {
   /**
    * @brief The materials of a scene and which of them each cell holds, from the
-   * points in it.
+   * points in it: shares and mean density as in doc/theory.md (2.1b).
    *
    * Cells without points, which the surface has given an inside, take what
    * their neighbours hold. With one material nothing is counted.

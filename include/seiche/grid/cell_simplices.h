@@ -29,8 +29,8 @@ namespace seiche
   /**
    * The unit cell divided into simplices around its centre (in 3D around the
    * centres of its faces, too), with the values there of the multilinear
-   * function that has these @p values at the vertices. Neighbours divide the
-   * face between them in the same way.
+   * function that has these @p values at the vertices (doc/theory.md, section
+   * 5, step 3). Neighbours divide the face between them in the same way.
    */
   template <int dim>
   std::array<CellSimplex<dim>, n_cell_simplices<dim>>

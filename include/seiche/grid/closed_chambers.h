@@ -14,8 +14,8 @@ namespace seiche
    * @brief Chambers that fluid fills: no free surface, no open side.
    *
    * There the pressure of an incompressible fluid is known up to a constant,
-   * one for each, and the rows of its volume add up to zero (doc/theory.md,
-   * "Linear systems").
+   * one for each, and the rows of its volume add up to zero (doc/theory.md
+   * (10.7)).
    */
   template <int dim>
   class ClosedChambers

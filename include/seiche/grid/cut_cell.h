@@ -10,7 +10,8 @@ namespace seiche
 {
   /**
    * @brief The part of the unit cell where a multilinear function is negative:
-   * its volume, centre and second moments, and a quadrature rule that has them.
+   * its volume, centre and second moments, and a quadrature rule that has them
+   * (doc/theory.md (5.0c)).
    *
    * The cell is divided into simplices (cell_simplices()), on each of which the
    * function is taken as linear.

@@ -38,9 +38,10 @@ namespace seiche
    * @brief How full cells and nodes are, and what follows for each cell.
    *
    * Recomputed every step from the points alone, so that restart and
-   * repartitioning change nothing. Thresholds are compared on values rounded
-   * to 1e-10, so that round-off cannot flip a class between rank counts or
-   * mirror images. The table of classes stands in doc/theory.md, section 5.
+   * repartitioning change nothing. Thresholds are compared on values rounded to
+   * 1e-10, so that round-off cannot flip a class between rank counts or mirror
+   * images. Fill of a node: doc/theory.md (5.0a); the table of classes stands
+   * in section 5.
    */
   template <int dim>
   class Fill

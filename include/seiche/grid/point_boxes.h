@@ -10,7 +10,8 @@ namespace seiche
 {
   /**
    * @brief Integrals of the hat functions of FE_Q(1) over the boxes that points
-   * stand for (compare GIMP: Bardenhagen and Kober 2004).
+   * stand for, <N_I> of doc/theory.md (5.0a) (compare GIMP: Bardenhagen and
+   * Kober 2004).
    *
    * A point's box has the shape of its cell and the point's volume, at most the
    * cell's, and lies inside the domain. With the hats' values at the points

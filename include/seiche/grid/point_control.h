@@ -42,7 +42,8 @@ namespace seiche
 
   /**
    * @brief Shifting, splitting and merging of points between two steps, and
-   * the account of what that does to energy and momentum.
+   * the account of what that does to energy and momentum (doc/theory.md (5.1),
+   * (5.3) to (5.5)).
    */
   template <int dim>
   class PointControl

@@ -14,9 +14,9 @@ namespace seiche
    * @brief Moves points of one cell between two steps, without the flow.
    *
    * A shift is shortened before the cell's walls: the distance a from one
-   * becomes a^2/(a + |delta|), where sides of the domain that move are taken
-   * where they are by then. No point goes around the edge of an obstacle.
-   * Its velocity follows by the gradient that it carries.
+   * becomes a^2/(a + |delta|) (doc/theory.md (5.4)), where sides of the domain
+   * that move are taken where they are by then. No point goes around the edge
+   * of an obstacle. Its velocity follows by the gradient that it carries.
    */
   template <int dim>
   class PointShift

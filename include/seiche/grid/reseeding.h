@@ -17,12 +17,12 @@ namespace seiche
    * exactly, momentum to round-off; kinetic energy and angular momentum change
    * (PointControl reports by how much).
    *
-   * A split replaces a point at x by two at x + d and x - d with half its mass
-   * and initial volume, its J, pressure and gradient C, and velocities
-   * v +- C d; |d| is a quarter of the edge of its volume, and d the direction
-   * (axes and diagonals of the cell) that leaves most room. A merger puts the
-   * lightest point of a cell and its nearest neighbour into their mass centre;
-   * momentum, volume and J V0 add up.
+   * A split (doc/theory.md (5.5)) replaces a point at x by two at x + d and x -
+   * d with half its mass and initial volume, its J, pressure and gradient C,
+   * and velocities v +- C d; |d| is a quarter of the edge of its volume, and d
+   * the direction (axes and diagonals of the cell) that leaves most room. A
+   * merger puts the lightest point of a cell and its nearest neighbour into
+   * their mass centre; momentum, volume and J V0 add up.
    *
    * Decisions depend on the points of a cell alone, and new ids on the sorted
    * list of the points that are split anywhere, so that they do not depend on

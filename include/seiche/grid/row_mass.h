@@ -15,7 +15,7 @@ namespace seiche
    * nodes. Both are the same for degree 1.
    *
    * The momentum that walls take from fluid which they stop is this mass times
-   * the change of the node's velocity (doc/theory.md, section 8).
+   * the change of the node's velocity: m^ in doc/theory.md (8.0b).
    */
   template <int dim>
   class RowMass

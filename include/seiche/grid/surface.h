@@ -11,7 +11,7 @@ namespace seiche
 {
   /**
    * @brief The free surface: where a multilinear level set vanishes that
-   * follows from the nodal fill of the points (doc/theory.md, section 5).
+   * follows from the nodal fill of the points (doc/theory.md (5.0b) to (5.0e)).
    *
    * The level set is a distance in cells, negative inside the fluid. The inside
    * has the nodal fill of the points, up to what a few corrections leave;

@@ -22,8 +22,8 @@ namespace seiche
 
   /**
    * Where a multilinear function vanishes in the unit cell, taken as linear on
-   * the simplices of CutCell: the pieces of neighbours fit together. Normals
-   * point to where it is positive.
+   * the simplices of CutCell (doc/theory.md, section 5): the pieces of
+   * neighbours fit together. Normals point to where it is positive.
    */
   template <int dim>
   std::vector<SurfacePiece<dim>>

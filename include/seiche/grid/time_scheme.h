@@ -21,7 +21,8 @@ namespace seiche
    *
    * Acceleration of the inertia term a = inertia u + inertia_offset, velocity
    * in the stress v = rate u + rate_offset, forces in the configuration
-   * x_n + theta u, constraint at x_n + u. (numerics: C_a, c_r, theta)
+   * x_n + theta u, constraint at x_n + u: C_a, c_r, theta of doc/theory.md
+   * (3.1).
    */
   struct StepCoefficients
   {
@@ -36,7 +37,7 @@ namespace seiche
     /// the pressure.
     bool elastic = true;
     /// [-] div v_0 = this dt tr(l l) fits the scheme: v_0 and v_1 then have the
-    /// same divergence in their own configurations (doc/theory.md, section 3).
+    /// same divergence in their own configurations (doc/theory.md (3.3a)).
     double start_divergence = 0.;
     /// [s^2] weight of -tr(l l) in the constraint, l the gradient of the rate's
     /// velocity: projection of v_0 and consistent start only.
@@ -67,7 +68,7 @@ namespace seiche
 
   /**
    * @brief Time integration of one step in terms of the displacement
-   * increment u.
+   * increment u (doc/theory.md (3.1) and the table after it).
    */
   template <int dim>
   class TimeScheme

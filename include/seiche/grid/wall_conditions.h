@@ -11,7 +11,7 @@ namespace seiche
   /**
    * @brief Prescribes the components of velocity and displacement that walls
    * fix: zero, the velocity of a no-slip wall that moves along itself, or the
-   * way of a side that moves along its normal.
+   * way of a side that moves along its normal (doc/theory.md (8.0a), (8.4)).
    *
    * Where walls meet, a side of the domain decides about its normal component
    * and the slower of the walls about the others: a lid does not move

@@ -36,7 +36,7 @@ namespace seiche
   public:
     using Vector = typename GridState<dim>::Vector;
 
-    /// @p density [kg/m^3]. References must outlive the object.
+    /// References must outlive the object.
     WallContact(const WallConditions<dim> &conditions,
                 Occupancy<dim>            &occupancy,
                 const RowMass<dim>        &row_mass,

@@ -8,7 +8,7 @@ namespace seiche
 {
   /// Impulse over dt [N] that takes an own, fixed component (dim*node +
   /// component) from v_n to v_0: what a wall does to fluid that arrives, beside
-  /// the reaction of the projection (doc/theory.md, section 8).
+  /// the reaction of the projection (doc/theory.md (8.0b)).
   template <int dim>
   double
   wall_impulse(const GridState<dim> &state,

@@ -47,7 +47,7 @@ namespace seiche
 
   /**
    * @brief prm entries of the fluid (subsection "Fluid"): its material and what
-   * all materials of the scene share.
+   * all materials of the scene share, the law (2.2) of doc/theory.md.
    */
   struct FluidParameters
   {

@@ -6,7 +6,7 @@
 
 namespace seiche
 {
-  /// A fluid, as the weak forms see it.
+  /// A fluid, as the weak forms see it: rho and mu of doc/theory.md (2.1).
   struct Material
   {
     std::string                         name;

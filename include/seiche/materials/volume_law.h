@@ -9,7 +9,8 @@
 namespace seiche
 {
   /**
-   * @brief Pressure law p = -kappa phi(J), with the volumetric strain phi(J).
+   * @brief Pressure law p = -kappa phi(J), with the volumetric strain phi(J)
+   * (doc/theory.md (2.2)).
    *
    * linear: phi = J - 1, p stays finite as J -> 0; logarithmic: phi = ln J, p
    * grows without bound. Equal for small strains; with infinite kappa both mean

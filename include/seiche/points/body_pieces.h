@@ -13,7 +13,8 @@ namespace seiche
 {
   /**
    * @brief What a fluid body has of the lattice of places for its points: one
-   * piece per place, without what belongs to earlier bodies.
+   * piece per place, without what belongs to earlier bodies (doc/theory.md
+   * (5.2)).
    *
    * A light piece is joined to the one across the face towards which its
    * centre lies, so that hardly any point is light. Volumes add up to that of

@@ -49,11 +49,11 @@ namespace seiche
    * edge (fewer, at least one, in a cut box). A place that is in the body gets
    * a point in its middle, displaced by jitter (never out of its box); of one
    * that the surface cuts the point has the volume and the centre of the part
-   * inside (BodyPieces). Ids and jitter depend on the lattice index and the
-   * seed only, not on ranks. If @p points carries a velocity gradient, it is set from
-   * central differences of the velocity. Overlapping bodies: the first one
-   * wins. Locates the points. InputError for a body that gets no point.
-   * Collective.
+   * inside (BodyPieces; doc/theory.md (5.2)). Ids and jitter depend on the
+   * lattice index and the seed only, not on ranks. If @p points carries a
+   * velocity gradient, it is set from central differences of the velocity.
+   * Overlapping bodies: the first one wins. Locates the points. InputError for
+   * a body that gets no point. Collective.
    */
   template <int dim>
   SeedingResult

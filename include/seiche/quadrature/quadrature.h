@@ -20,8 +20,8 @@ namespace dealii
 namespace seiche
 {
   /**
-   * @brief Quadrature points of one cell; the weak forms do not know whether
-   * they are material or Gauss points.
+   * @brief Quadrature points of one cell (doc/theory.md (5.0f)); the weak forms
+   * do not know whether they are material or Gauss points.
    */
   template <int dim>
   struct CellQuadrature

@@ -34,7 +34,8 @@ namespace seiche
    * @brief Acceleration that acts on all of the fluid at rest in the tank:
    * gravity or expressions of position and time, in the tank's axes, less the
    * acceleration of the place itself in a tank that moves. What depends on the
-   * velocity, the Coriolis acceleration, belongs to the inertia.
+   * velocity, the Coriolis acceleration, belongs to the inertia (doc/theory.md
+   * (8.7)).
    */
   template <int dim>
   class BodyForce

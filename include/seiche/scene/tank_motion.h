@@ -35,7 +35,8 @@ namespace seiche
 
   /**
    * @brief Where the tank is at some time, and how it moves: X = c + d + R (x -
-   * c) takes a place x of the tank to the laboratory, c the centre.
+   * c) takes a place x of the tank to the laboratory, c the centre
+   * (doc/theory.md (8.5), (8.6)).
    */
   template <int dim>
   struct TankPose
@@ -52,7 +53,7 @@ namespace seiche
 
   /**
    * @brief Motion of the tank, in whose frame a scene is computed
-   * (doc/theory.md, moving tank).
+   * (doc/theory.md (8.5) to (8.7); Landau and Lifshitz, Mechanics, section 39).
    */
   template <int dim>
   class TankMotion

@@ -13,16 +13,17 @@
 namespace seiche
 {
   /**
-   * @brief The system matrix [A G; C D], stored by pairs of nodes.
+   * @brief The system matrix [A G; C D] of doc/theory.md (10.4), stored by
+   * pairs of nodes.
    *
-   * Fields of a node: dim components of the displacement, then the pressure.
-   * An entry of the pattern holds the columns of the displacement, [component]
+   * Fields of a node: dim components of the displacement, then the pressure. An
+   * entry of the pattern holds the columns of the displacement, [component]
    * [row field], and, in a second array, the column of the pressure: a product
    * reads each once and fills the vector registers with the rows, and the
-   * product with G alone reads a quarter. Rows of nodes away from the fluid
-   * are multiples of identity and cost nothing. (Four Epetra matrices
-   * would hold an index for each number, and on several ranks every block
-   * twice, as assembled and as owned rows.)
+   * product with G alone reads a quarter. Rows of nodes away from the fluid are
+   * multiples of identity and cost nothing. (Four Epetra matrices would hold an
+   * index for each number, and on several ranks every block twice, as assembled
+   * and as owned rows.)
    */
   template <int dim>
   class BlockMatrix

@@ -20,7 +20,7 @@ namespace seiche
    * z_p = S^-1 r_p, z_u = P_A (r_u - G z_p); S: SchurComplement. P_A: where A
    * is close to a mass matrix, BlockILU; Trilinos ML with the components'
    * constants where viscosity, tau2 or the bulk modulus dominate, or where all
-   * factors are unstable. (doc/theory.md, "Linear systems")
+   * factors are unstable (doc/theory.md (10.4), (10.5)).
    */
   template <int dim>
   class BlockPreconditioner

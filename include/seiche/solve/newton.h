@@ -45,11 +45,11 @@ namespace seiche
    * tolerance times its first value, or below the absolute tolerance times
    * the forces (volumes) at work. Forcing terms: Eisenstat and Walker 1996,
    * choice 2, not below half of what the convergence test still needs, 0.3 at
-   * most. The tangent serves the next iteration as well if the problem proved
-   * nearly linear. Updates that make the residual grow are shortened. Two
-   * updates in a row that hardly reduce it end an iteration that may give up
-   * early. The set of nodes that unilateral walls hold is corrected after each
-   * update.
+   * most (doc/theory.md (10.1)). The tangent serves the next iteration as well
+   * if the problem proved nearly linear. Updates that make the residual grow
+   * are shortened. Two updates in a row that hardly reduce it end an iteration
+   * that may give up early. The set of nodes that unilateral walls hold is
+   * corrected after each update.
    */
   template <int dim>
   class Newton

@@ -8,7 +8,7 @@ namespace seiche
 {
   /**
    * @brief The projection of the residuals that orthogonal subscales subtract
-   * (Codina 2000; doc/theory.md, "Orthogonal subscales").
+   * (Codina 2000; doc/theory.md (4.5a)).
    *
    * Pi r and Pi g with M Pi f = sum over the quadrature points of V f N, M the
    * lumped or the consistent mass of the same points. Does nothing for the

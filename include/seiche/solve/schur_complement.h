@@ -16,8 +16,8 @@ namespace seiche
    * step; where subscales vary S is formed with the lumped inertia (D and C
    * A^-1 G nearly cancel where tau1 is large), without subscales with diag(A).
    * Where the method says so a small symmetric S is factorised on one rank.
-   * Viscous fluids add 2 mu c_r/M_p to S^-1 (Cahouet and Chabard 1988).
-   * (doc/theory.md, "Linear systems")
+   * Viscous fluids add 2 mu c_r/M_p to S^-1 (Cahouet and Chabard 1988;
+   * doc/theory.md (10.5), (10.6)).
    */
   template <int dim>
   class SchurComplement

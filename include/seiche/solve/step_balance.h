@@ -8,7 +8,8 @@ namespace seiche
 {
   /**
    * @brief Momentum and work of a converged step, summed over its quadrature:
-   * inertia = body + walls.
+   * inertia = body + walls, which is doc/theory.md (4.1) or (4.2) for constant
+   * w (body force and inertia in a tank that moves: (8.7)).
    */
   template <int dim>
   struct StepBalance

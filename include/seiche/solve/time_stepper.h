@@ -71,7 +71,8 @@ namespace seiche
 
   /**
    * @brief Size of the next step: fixed, from the CFL number or from the error
-   * of the steps before, halved after a failure, restored by and by.
+   * of the steps before (doc/theory.md (3.5)), halved after a failure, restored
+   * by and by.
    */
   class TimeStepper
   {

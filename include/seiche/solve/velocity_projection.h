@@ -10,13 +10,14 @@ namespace seiche
    * @brief Makes the start velocity of a step satisfy the discrete
    * incompressibility constraint.
    *
-   * One linear solve of the step's own system with C_a = 1/dt^2, no body
-   * force, no viscosity, at u = p = 0, the ghost penalty on accelerations: v_0
-   * = u/dt (doc/theory.md, "Projection of the start velocity"). Forces stay in
-   * the configuration x_n (theta = 0): at u = 0 the subscale residual is rho
-   * v_0/dt, and its geometric derivative would add the convective acceleration
-   * to the constraint. Without it the midpoint scheme repeats every violation
-   * in v_0 with factor -rho_inf, which costs pressure noise 2 rho h dv/dt.
+   * One linear solve of the step's own system with C_a = 1/dt^2, no body force,
+   * no viscosity, at u = p = 0, the ghost penalty on accelerations: v_0 = u/dt
+   * (doc/theory.md, "Projection of the start velocity"; div v_0 of theta > 1/2:
+   * (3.3a)). Forces stay in the configuration x_n (theta = 0): at u = 0 the
+   * subscale residual is rho v_0/dt, and its geometric derivative would add the
+   * convective acceleration to the constraint. Without it the midpoint scheme
+   * repeats every violation in v_0 with factor -rho_inf, which costs pressure
+   * noise 2 rho h dv/dt.
    */
   template <int dim>
   class VelocityProjection
@@ -43,7 +44,7 @@ namespace seiche
     /**
      * Consistent start of schemes that carry an acceleration: a_0 and p_0
      * from M a_0 + B^T p_0 = f and div a_0 = tr(l l), l = grad v_0, the second
-     * time derivative of J = 1 (doc/theory.md, "Consistent start"). Into
+     * time derivative of J = 1 (doc/theory.md (3.6)). Into
      * state.acceleration_n and state.pressure_guess. Collective.
      */
     LinearResult

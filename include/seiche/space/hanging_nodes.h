@@ -16,10 +16,10 @@ namespace seiche
    * the coarser neighbour. In the list of a cell's nodes, masters take the
    * places of hanging nodes (a cell never has more of them), and a small
    * matrix C gives the values at its own nodes from those at the nodes of the
-   * list: v = C v^, R^ = C^T R, K^ = C^T K C. Sums of shape functions stay
-   * one, so that sums over points conserve mass and momentum. Cells without
-   * hanging nodes, nearly all, have no matrix. At a seam, the list has the
-   * unknowns that stand for the cell's nodes.
+   * list: v = C v^, R^ = C^T R, K^ = C^T K C (doc/theory.md (9.1)). Sums of
+   * shape functions stay one, so that sums over points conserve mass and
+   * momentum. Cells without hanging nodes, nearly all, have no matrix. At a
+   * seam, the list has the unknowns that stand for the cell's nodes.
    */
   template <int dim>
   class HangingNodes

@@ -19,7 +19,8 @@ namespace seiche
    * @brief Which nodes of the full numbering are no unknowns, and what stands
    * for them.
    *
-   * A hanging node is a sum over masters, nodes of the coarser neighbour.
+   * A hanging node is a sum over masters, nodes of the coarser neighbour: rows
+   * of C in doc/theory.md (9.1).
    * Nodes that coincide across a seam (periodic sides) are one: the lowest
    * number among them stands for all, and if one of them hangs, all hang. The
    * mesh is balanced also across seams and corners, so that masters never hang.

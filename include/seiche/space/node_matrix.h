@@ -10,7 +10,8 @@ namespace seiche
 {
   /**
    * @brief A small matrix C that gives the values at a cell's own nodes from
-   * those at a list of as many unknowns: v = C v^, R^ = C^T R, K^ = C^T K C.
+   * those at a list of as many unknowns: v = C v^, R^ = C^T R, K^ = C^T K C
+   * (doc/theory.md (4.8), (9.1)).
    *
    * Its row sums are one. Compressed rows, of which most have one entry.
    */

@@ -7,7 +7,8 @@
 namespace seiche
 {
   /// Means of value(cell) over the occupied cells at each own node, weighted by
-  /// their measures; zero where there are none. Collective.
+  /// their measures; zero where there are none (of the density in doc/theory.md
+  /// (2.1b)). Collective.
   template <int dim, typename Value>
   typename Occupancy<dim>::Vector
   node_means(const Occupancy<dim> &occupancy, const Value &value)

@@ -19,7 +19,7 @@ namespace seiche
   /**
    * Add a cell's integrals of the products of @p line over its volume, or over
    * a @p face (numbers::invalid_unsigned_int: none), to the nodes that are
-   * unknowns.
+   * unknowns: V and A of doc/theory.md (8.2), the integrals of (8.0b).
    */
   template <int dim>
   void

@@ -11,7 +11,8 @@ namespace seiche
    * Velocity, and acceleration and pressure, at the vertices of occupied cells
    * that no cell with points touches: the mean of what the multilinear fields
    * of the face neighbours (else of all neighbours) whose vertices are known
-   * become there. Linear fields stay what they are. Collective.
+   * become there (doc/theory.md, section 5, step 5). Linear fields stay what
+   * they are. Collective.
    */
   template <int dim>
   void

@@ -24,7 +24,7 @@ namespace seiche
 
   /**
    * @brief Bounds of what points do in steps that are accepted although they
-   * have failed (prm entry "Time/Failing steps").
+   * have failed (prm entry "Time/Failing steps"; doc/theory.md (10.2)).
    *
    * A point goes the largest share 1, 1/2, 1/4, ... of its way on which its
    * volume, also half-way, keeps the share @p least_det_F of what it was, on

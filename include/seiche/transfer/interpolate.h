@@ -8,7 +8,8 @@
 namespace seiche
 {
   /// Set a vector column of the points to @p keep times itself plus a nodal
-  /// vector field (ghosts valid) at their positions. Local.
+  /// vector field (ghosts valid) at their positions: of the consistent start,
+  /// a_p = N a_0 (doc/theory.md (3.6)). Local.
   template <int dim>
   void
   interpolate_to_points(const Occupancy<dim>                  &occupancy,

@@ -9,7 +9,8 @@
 namespace seiche
 {
   /**
-   * @brief The mass matrix of the points, M_ab = sum_p m_p N_a(x_p) N_b(x_p).
+   * @brief The mass matrix of the points, M_ab = sum_p m_p N_a(x_p) N_b(x_p)
+   * (doc/theory.md (7.2)).
    *
    * Nodal velocities v with M v = sum_p m_p N v_p are the field closest to the
    * points' velocities: exact where these belong to the space of the elements,
@@ -48,8 +49,8 @@ namespace seiche
     solve(Vector &v, const Vector &b) const;
 
     /// v <- v + M_L^-1 (b - M v), @p n_times: the series of Hammerquist and
-    /// Nairn (2017) and Nairn (2021) for M^-1. @p lumped: nodal masses.
-    /// Collective.
+    /// Nairn (2017) and Nairn (2021) for M^-1, doc/theory.md (7.4). @p lumped:
+    /// nodal masses. Collective.
     void
     expand(Vector            &v,
            const Vector      &b,

@@ -14,7 +14,7 @@ namespace seiche
   /// Share of the velocity gradient that the points of a cell pass on. Few
   /// points define no gradient (one in dim dimensions takes dim + 1): C would
   /// feed on itself through nodes of little mass, to which it extrapolates,
-  /// and spray explode.
+  /// and spray explode (doc/theory.md (7.1a)).
   template <int dim>
   double
   gradient_share(const unsigned int n_points)
@@ -24,7 +24,8 @@ namespace seiche
 
 
 
-  /// The linear velocity v_p + C_p (x - x_p) that a point passes on.
+  /// The linear velocity v_p + C_p (x - x_p) that a point passes on
+  /// (doc/theory.md (7.1)).
   template <int dim>
   class PointVelocity
   {

@@ -20,7 +20,7 @@ namespace seiche
 
   /**
    * @brief The choice of transfers (prm subsection "Transfer"): one name is a
-   * row of the table in transfer.cc.
+   * row of the table in transfer.cc (doc/theory.md, section 7).
    */
   struct TransferParameters
   {
@@ -107,7 +107,8 @@ namespace seiche
   };
 
   /**
-   * @brief Points to grid and back; sums in (cell, id) order.
+   * @brief Points to grid and back (doc/theory.md (7.1) to (7.3); papers:
+   * TransferMethod); sums in (cell, id) order.
    */
   template <int dim>
   class Transfer
