@@ -120,8 +120,8 @@ namespace seiche
     }
 
     /// [N/m^dim] Pressure gradients and momentum residuals up to here turn
-    /// with u without any need for the tangent to know (doc/theory.md, section
-    /// 10).
+    /// with u without any need for the tangent to know (doc/theory.md
+    /// (10.3)).
     template <int degree>
     double
     negligible_force(const CellData<dim, degree> &cell, const Tau &tau) const
