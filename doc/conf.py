@@ -32,7 +32,7 @@ pygments_style = "friendly"
 highlight_language = "none"
 
 # A number at the end of a line of a formula: "u = v dt   (3.1)".
-EQUATION = re.compile(r" {2,}\((\d+\.\d+)\)$", re.M)
+EQUATION = re.compile(r" {2,}\((\d+\.\d+[a-z]?)\)$", re.M)
 
 
 def mark_equations(app, doctree):

@@ -83,12 +83,13 @@ def check_links():
 
 def check_equations():
     theory = (ROOT / "doc" / "theory.md").read_text(encoding="utf-8")
-    defined = re.findall(r"^    .* \((\d+\.\d+)\)$", theory, re.M)
+    defined = re.findall(r"^    .* \((\d+\.\d+[a-z]?)\)$", theory, re.M)
     sections = re.findall(r"^## (\d+)\.", theory, re.M)
     failures = []
     for section in sections:
         own = [number for number in defined if number.startswith(section + ".")]
-        if own != ["%s.%d" % (section, i + 1) for i in range(len(own))]:
+        plain = [number for number in own if number[-1].isdigit()]
+        if len(set(own)) < len(own) or plain != ["%s.%d" % (section, i + 1) for i in range(len(plain))]:
             failures.append("doc/theory.md: equations of section %s in disorder: %s" % (section, own))
     cited = 0
     files = [file for folder in ("include", "source", "contrib", "tests", "prm", "doc")
@@ -98,8 +99,8 @@ def check_equations():
     for file in files:
         # Comments are broken into lines.
         text = re.sub(r"\n[ \t]*(?:\*|///?|#)? ?", " ", file.read_text(encoding="utf-8"))
-        for match in re.finditer(r"theory\.md\)?,? \(\d+\.\d+\)(?:(?:,| and| to) \(\d+\.\d+\))*", text):
-            for number in re.findall(r"\((\d+\.\d+)\)", match.group(0)):
+        for match in re.finditer(r"theory\.md\)?,? \(\d+\.\d+[a-z]?\)(?:(?:,| and| to) \(\d+\.\d+[a-z]?\))*", text):
+            for number in re.findall(r"\((\d+\.\d+[a-z]?)\)", match.group(0)):
                 cited += 1
                 if number not in defined:
                     failures.append("%s: there is no equation (%s) in theory.md" % (name(file), number))
