@@ -10,7 +10,7 @@ namespace seiche
   template <int dim>
   DryEdges<dim>::DryEdges(Occupancy<dim> &grid_occupancy)
     : occupancy(grid_occupancy)
-    , exist(!grid_occupancy.locator.grid.parameters.obstacles.empty())
+    , exist(!grid_occupancy.locator.grid.parameters.obstacles().empty())
   {}
 
   template <int dim>
@@ -59,8 +59,9 @@ namespace seiche
     unsigned int slip = 0, other = 0;
     for (const auto &[wall, component, sides, cell, is_normal] :
          occupancy.constraints.walls_at(node))
-      if (wall >= 2 * dim && (sides == 1u || sides == 2u) &&
-          occupancy.locator.grid.wall_condition(wall) != WallCondition::no_slip)
+      if (!occupancy.locator.grid.wall(wall).is_side() &&
+          (sides == 1u || sides == 2u) &&
+          occupancy.locator.grid.wall(wall).condition != WallCondition::no_slip)
         slip |= 1u << component;
       else
         other |= 1u << component;

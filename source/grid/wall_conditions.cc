@@ -40,7 +40,8 @@ namespace seiche
   {
     for (const auto &[wall, c, sides, cell, is_normal] :
          occupancy.constraints.walls_at(node))
-      if (c == component && wall < 2 * dim && wall / 2 == component)
+      if (c == component && occupancy.locator.grid.wall(wall).is_side() &&
+          occupancy.locator.grid.wall(wall).normal() == component)
         return wall;
     return dealii::numbers::invalid_unsigned_int;
   }

@@ -58,7 +58,7 @@ namespace seiche
             if (entry.component == c)
               {
                 unilateral =
-                  unilateral && locator.grid.wall_condition(entry.wall) ==
+                  unilateral && locator.grid.wall(entry.wall).condition ==
                                   WallCondition::unilateral;
                 sides |= entry.sides;
                 const double edge = locator.geometry(entry.cell).edges[c];

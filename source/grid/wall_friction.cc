@@ -33,9 +33,10 @@ namespace seiche
     Vector volume(zero);
     // the same walls on every rank
     std::map<std::pair<unsigned int, unsigned int>, Vector> areas;
-    for (unsigned int wall = 0; wall < walls.n_walls(); ++wall)
+    for (unsigned int wall = 0; wall < walls.size(); ++wall)
       for (unsigned int d = 0; d < dim; ++d)
-        if (walls.friction(wall) > 0. && (wall >= 2 * dim || wall / 2 == d))
+        if (walls[wall].friction > 0. &&
+            (!walls[wall].is_side() || walls[wall].normal() == d))
           areas.emplace(std::make_pair(wall, d), zero);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
@@ -63,7 +64,7 @@ namespace seiche
             contacts.push_back({node,
                                 wall.first,
                                 wall.second,
-                                0.5 * walls.friction(wall.first) *
+                                0.5 * walls[wall.first].friction *
                                   area.local_element(node) / V});
       }
   }

@@ -247,12 +247,7 @@ namespace seiche
       }
     if (id != dealii::numbers::internal_face_boundary_id)
       return id;
-    for (unsigned int i = 0; i < grid.parameters.obstacles.size(); ++i)
-      if (dealii::BoundingBox<dim>({grid.parameters.obstacles[i].lower_corner,
-                                    grid.parameters.obstacles[i].upper_corner})
-            .point_inside(x, /*tolerance=*/0.))
-        return 2 * dim + i;
-    return id;
+    return grid.parameters.obstacle_at(x);
   }
 
 

@@ -59,7 +59,7 @@ namespace seiche
   bool
   CellLocator<dim>::in_obstacle(const Lattice &index) const
   {
-    for (unsigned int i = 0; i < grid.parameters.obstacles.size(); ++i)
+    for (unsigned int i = 0; i < grid.parameters.obstacles().size(); ++i)
       {
         const auto &box    = grid.obstacle_box(i);
         bool        inside = true;

@@ -235,11 +235,12 @@ namespace seiche
   {
     const dealii::Point<dim> here = position(point);
     const auto               wall = locator.wall_beyond(here);
-    if (point_cells[point] == invalid || wall < 2 * dim ||
+    if (point_cells[point] == invalid ||
         wall == dealii::numbers::internal_face_boundary_id ||
-        locator.grid.wall_condition(wall) == WallCondition::no_slip)
+        locator.grid.parameters.walls[wall].is_side() ||
+        locator.grid.wall(wall).condition == WallCondition::no_slip)
       return invalid;
-    const auto &box = locator.grid.parameters.obstacles[wall - 2 * dim];
+    const auto                  &box = locator.grid.parameters.walls[wall];
     const dealii::Tensor<1, dim> extent =
       locator.geometry(point_cells[point]).edges;
     double       nearest = std::numeric_limits<double>::max();
@@ -276,12 +277,12 @@ namespace seiche
     const bool inside = wall == dealii::numbers::internal_face_boundary_id;
     const std::string reason =
       inside ? "it is not in a cell next to its last one" :
-               "it is beyond the wall \"" + locator.grid.wall_name(wall) + "\"";
+               "it is beyond the wall \"" + locator.grid.wall(wall).name + "\"";
     bool finite = true;
     for (unsigned int d = 0; d < dim; ++d)
       finite = finite && std::isfinite(position(point)[d]);
     if (finite && !inside &&
-        locator.grid.wall_condition(wall) == WallCondition::open)
+        locator.grid.wall(wall).condition == WallCondition::open)
       {
         ++census.n_outflow;
         census.outflow_mass += data(PointColumn::mass)[point];

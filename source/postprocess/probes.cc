@@ -50,7 +50,7 @@ namespace seiche
                              {std::abs(std::max(box.lower_corner[d] - x[d],
                                                 x[d] - box.upper_corner[d])),
                               d});
-      for (const auto &obstacle : box.obstacles)
+      for (const auto &obstacle : box.obstacles())
         {
           const auto face =
             nearest_face(x, obstacle.lower_corner, obstacle.upper_corner);
@@ -68,7 +68,7 @@ namespace seiche
       const Point<dim> there = box.with_sides(x, box.domain());
       if (nearest_face(there, box.lower_corner, box.upper_corner).first > 0.)
         return false;
-      for (const auto &obstacle : box.obstacles)
+      for (const auto &obstacle : box.obstacles())
         if (nearest_face(there, obstacle.lower_corner, obstacle.upper_corner)
               .first < 0.)
           return false;

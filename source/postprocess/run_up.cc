@@ -39,7 +39,8 @@ namespace seiche
                   "there is no wall \"" + wall + "\"" +
                     (hint.empty() ? "." : hint) + " Walls are " +
                     quoted_list(known) + ".");
-    input.require(id < 2 * dim - 2 || id >= 2 * dim,
+    input.require(!grid.walls[id].is_side() ||
+                    grid.walls[id].normal() != dim - 1,
                   path,
                   "water runs up walls that stand upright: name another side, "
                   "or an obstacle.");

@@ -64,9 +64,9 @@ namespace seiche
     /// True if that face of an obstacle lies on a side of the domain.
     template <int dim>
     bool
-    touches_side(const typename GridParameters<dim>::Obstacle &box,
-                 const std::string                            &face,
-                 const BoundingBox<dim>                       &domain)
+    touches_side(const Wall<dim>        &box,
+                 const std::string      &face,
+                 const BoundingBox<dim> &domain)
     {
       const unsigned int side = side_called<dim>(face);
       const unsigned int d    = side / 2;
@@ -131,20 +131,20 @@ namespace seiche
                         (hint.empty() ? "." : hint) + " Walls are " +
                         quoted_list(known) + ".");
         require_no_seam(input, grid, path, *wall);
-        input.require(face == "all" || id - known.begin() >= 2 * dim,
+        input.require(face == "all" ||
+                        !grid.walls[id - known.begin()].is_side(),
                       std::string(kind) + " " + name + "/Face",
                       "the wall \"" + *wall +
                         "\" is a side of the domain, and only obstacles have "
                         "faces; set it to \"all\" or name obstacles alone.");
         if (face != "all")
-          input.require(
-            !touches_side(grid.obstacles[id - known.begin() - 2 * dim],
-                          face,
-                          grid.domain()),
-            std::string(kind) + " " + name + "/Face",
-            "this face of \"" + *wall +
-              "\" lies on a side of the domain, where no water "
-              "gets to it; choose another face, or all.");
+          input.require(!touches_side(grid.walls[id - known.begin()],
+                                      face,
+                                      grid.domain()),
+                        std::string(kind) + " " + name + "/Face",
+                        "this face of \"" + *wall +
+                          "\" lies on a side of the domain, where no water "
+                          "gets to it; choose another face, or all.");
         input.require(std::find(walls.begin(), wall, *wall) == wall,
                       path,
                       "the wall \"" + *wall +
@@ -170,7 +170,7 @@ namespace seiche
     const BackgroundGrid<dim>               &background_grid)
     : forces(parameters)
     , grid(background_grid)
-    , forces_of_wall(grid.n_walls())
+    , forces_of_wall(grid.walls.size())
   {
     const std::vector<std::string> names = wall_names(grid.parameters);
     for (unsigned int f = 0; f < forces.size(); ++f)
@@ -187,9 +187,9 @@ namespace seiche
                           const Point<dim>           &x,
                           const unsigned int          component) const
   {
-    if (wall < 2 * dim)
+    if (grid.parameters.walls[wall].is_side())
       return force.face == "all";
-    const auto &box = grid.parameters.obstacles[wall - 2 * dim];
+    const auto &box = grid.parameters.walls[wall];
     return lies_on(x,
                    force.face,
                    box.lower_corner,

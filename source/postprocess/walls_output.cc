@@ -8,6 +8,8 @@
 
 #include <deal.II/grid/reference_cell.h>
 
+#include <algorithm>
+
 namespace seiche
 {
   using namespace dealii;
@@ -50,10 +52,11 @@ namespace seiche
     bool
     any_side_moves(const GridParameters<dim> &parameters)
     {
-      for (unsigned int side = 0; side < 2 * dim; ++side)
-        if (!parameters.wall_displacement_text(side).empty())
-          return true;
-      return false;
+      return std::any_of(parameters.walls.begin(),
+                         parameters.walls.end(),
+                         [](const auto &wall) {
+                           return !wall.displacement.empty();
+                         });
     }
   } // namespace
 
@@ -80,11 +83,14 @@ namespace seiche
     if (is_first_rank)
       for (const unsigned int face : GeometryInfo<dim>::face_indices())
         {
-          add_face(walls, view.box, face, 0, has_wall(parameters.walls[face]));
-          for (unsigned int i = 0; i < parameters.obstacles.size(); ++i)
+          add_face(walls,
+                   view.box,
+                   face,
+                   0,
+                   has_wall(parameters.walls[face].condition));
+          for (unsigned int i = 0; i < parameters.obstacles().size(); ++i)
             add_face(walls,
-                     BoundingBox<dim>({parameters.obstacles[i].lower_corner,
-                                       parameters.obstacles[i].upper_corner}),
+                     parameters.obstacles()[i].box(),
                      face,
                      i + 1,
                      /*is_wall=*/true);

@@ -116,7 +116,7 @@ namespace seiche
         }
       return true;
     };
-    for (const auto &obstacle : box.obstacles)
+    for (const auto &obstacle : box.obstacles())
       if (stands_on_bottom(obstacle) && is_inside(obstacle))
         return true;
     return false;
@@ -146,7 +146,7 @@ namespace seiche
     };
     const double whole    = under(domain.first, domain.second);
     double       obstacle = 0.;
-    for (const auto &o : box.obstacles)
+    for (const auto &o : box.obstacles())
       if (stands_on_bottom(o))
         obstacle += under(o.lower_corner, o.upper_corner);
     // between two obstacles that touch there is nothing but round-off

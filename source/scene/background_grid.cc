@@ -107,7 +107,7 @@ namespace seiche
             parameters.cells[direction][i];
         segments.push_back({places[i], places[i + 1], 0, cells});
       }
-    for (const auto &obstacle : parameters.obstacles)
+    for (const auto &obstacle : parameters.obstacles())
       {
         insert_line(segments, obstacle.lower_corner[direction]);
         insert_line(segments, obstacle.upper_corner[direction]);
@@ -142,7 +142,7 @@ namespace seiche
              (n_lattice_cells(d) >> n_refinements) <
                parameters.fewest_periodic_cells)
         --n_refinements;
-    for (const auto &obstacle : parameters.obstacles)
+    for (const auto &obstacle : parameters.obstacles())
       {
         LatticeBox box;
         for (unsigned int d = 0; d < dim; ++d)
@@ -251,16 +251,9 @@ namespace seiche
               // farther by the slack
               dealii::Point<dim> beyond = centre;
               beyond[direction] += (face % 2 == 0 ? -2. : 2.) * slack;
-              unsigned int i = 0;
-              while (i < parameters.obstacles.size() &&
-                     !dealii::BoundingBox<dim>(
-                        {parameters.obstacles[i].lower_corner,
-                         parameters.obstacles[i].upper_corner})
-                        .point_inside(beyond, /*tolerance=*/0.))
-                ++i;
-              Assert(i < parameters.obstacles.size(),
+              id = parameters.obstacle_at(beyond);
+              Assert(id != dealii::numbers::internal_face_boundary_id,
                      dealii::ExcInternalError());
-              id = 2 * dim + i;
             }
           cell->face(face)->set_all_boundary_ids(id);
         }
@@ -331,30 +324,11 @@ namespace seiche
 
 
   template <int dim>
-  std::string
-  BackgroundGrid<dim>::wall_name(const dealii::types::boundary_id id) const
+  const Wall<dim> &
+  BackgroundGrid<dim>::wall(const dealii::types::boundary_id id) const
   {
-    AssertIndexRange(id, n_walls());
-    return parameters.wall_name(id);
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  BackgroundGrid<dim>::n_walls() const
-  {
-    return parameters.n_walls();
-  }
-
-
-
-  template <int dim>
-  WallCondition
-  BackgroundGrid<dim>::wall_condition(const dealii::types::boundary_id id) const
-  {
-    AssertIndexRange(id, n_walls());
-    return parameters.wall_condition(id);
+    AssertIndexRange(id, parameters.walls.size());
+    return parameters.walls[id];
   }
 
 

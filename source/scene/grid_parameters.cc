@@ -41,13 +41,18 @@ namespace seiche
   GridParameters<dim>::GridParameters(const InputFile &input)
     : refinement(input)
   {
-    walls_text.fill("slip");
-    walls.fill(WallCondition::slip);
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      {
+        walls.emplace_back();
+        walls.back().name = side_name<dim>(side);
+        walls.back().side = side;
+      }
     for (const std::string &name : input.instances("Obstacle"))
       {
-        obstacles_text.emplace_back();
-        obstacles_text.back().name = name;
+        walls.emplace_back();
+        walls.back().name = name;
       }
+    walls_text.resize(walls.size());
   }
 
 
@@ -264,6 +269,16 @@ namespace seiche
   }
 
   template <int dim>
+  dealii::types::boundary_id
+  GridParameters<dim>::obstacle_at(const dealii::Point<dim> &place) const
+  {
+    for (unsigned int id = 2 * dim; id < walls.size(); ++id)
+      if (walls[id].box().point_inside(place, /*tolerance=*/0.))
+        return id;
+    return dealii::numbers::internal_face_boundary_id;
+  }
+
+  template <int dim>
   dealii::Point<dim>
   GridParameters<dim>::with_sides(const dealii::Point<dim>       &place,
                                   const dealii::BoundingBox<dim> &box) const
@@ -273,7 +288,7 @@ namespace seiche
     for (unsigned int d = 0; d < dim; ++d)
       {
         const double slack = wall_slack(upper_corner[d] - lower_corner[d]);
-        for (const Obstacle &obstacle : obstacles)
+        for (const Wall<dim> &obstacle : obstacles())
           for (const double face :
                {obstacle.lower_corner[d], obstacle.upper_corner[d]})
             if (std::abs(place[d] - face) <= slack)

@@ -35,23 +35,6 @@ namespace seiche
       return result;
     }
 
-    /// The box of a side or an obstacle.
-    template <int dim>
-    BoundingBox<dim>
-    box_of_wall(const GridParameters<dim> &grid, const unsigned int wall)
-    {
-      if (wall >= 2 * dim)
-        {
-          const auto &obstacle = grid.obstacles[wall - 2 * dim];
-          return BoundingBox<dim>(
-            {obstacle.lower_corner, obstacle.upper_corner});
-        }
-      auto corners = grid.domain().get_boundary_points();
-      (wall % 2 == 0 ? corners.second : corners.first)[wall / 2] =
-        (wall % 2 == 0 ? corners.first : corners.second)[wall / 2];
-      return BoundingBox<dim>(corners);
-    }
-
     template <int dim>
     double
     speed_along_walls(const GridParameters<dim> &grid,
@@ -60,10 +43,10 @@ namespace seiche
     {
       const WallVelocity<dim> velocity(grid, input, end_time);
       double                  result = 0.;
-      for (unsigned int wall = 0; wall < grid.n_walls(); ++wall)
-        if (!grid.wall_velocity_text(wall).empty())
+      for (unsigned int wall = 0; wall < grid.walls.size(); ++wall)
+        if (!grid.walls[wall].velocity.empty())
           for (const Point<dim> &x :
-               corners_and_middles(box_of_wall(grid, wall)))
+               corners_and_middles(grid.walls[wall].box()))
             try
               {
                 for (const double t : sample_times(end_time))

@@ -2,7 +2,6 @@
 // What GridParameters knows about periodic sides: no walls, but a seam.
 #include <seiche/parameters/input_file.h>
 #include <seiche/scene/background_grid.h>
-#include <seiche/scene/side_entry.h>
 #include <seiche/scene/wall_slack.h>
 
 #include <fmt/format.h>
@@ -18,16 +17,16 @@ namespace seiche
     for (unsigned int id = 0; id < 2 * dim; ++id)
       {
         const unsigned int other = id ^ 1u;
-        if (walls[id] != WallCondition::periodic)
+        if (walls[id].condition != WallCondition::periodic)
           continue;
-        input.require(walls[other] == WallCondition::periodic,
-                      "Walls/" + side_entry<dim>(other),
-                      "\"" + side_entry<dim>(id) +
+        input.require(walls[other].condition == WallCondition::periodic,
+                      walls[other].path(),
+                      "\"" + walls[id].path() +
                         "\" is periodic, and this side is the same place: set "
                         "both to periodic, or none.");
         for (const unsigned int side : {id, other})
-          input.require(displacements_text[side].empty(),
-                        wall_displacement_path(side),
+          input.require(walls[side].displacement.empty(),
+                        walls[side].path("displacement"),
                         "a periodic side is no wall; only walls move.");
       }
     for (unsigned int d = 0; d < dim; ++d)
@@ -58,21 +57,20 @@ namespace seiche
   {
     const double tolerance =
       wall_slack(upper_corner[direction] - lower_corner[direction]);
-    for (const Obstacle &obstacle : obstacles)
+    for (const Wall<dim> &obstacle : obstacles())
       {
         const bool at_lower = obstacle.lower_corner[direction] <=
                               lower_corner[direction] + tolerance;
         const bool at_upper = obstacle.upper_corner[direction] >=
                               upper_corner[direction] - tolerance;
         input.require(at_lower == at_upper,
-                      "Obstacle " + obstacle.name +
-                        (at_lower ? "/Lower corner" : "/Upper corner"),
+                      obstacle.path(at_lower ? "lower corner" : "upper corner"),
                       fmt::format("it touches the periodic side \"{}\" and not "
                                   "the opposite one: an obstacle reaches from "
                                   "one to the other or touches neither. Move "
                                   "the corners of the grid and all that stands "
                                   "in it along {}.",
-                                  side_name<dim>(2 * direction + at_upper),
+                                  walls[2 * direction + at_upper].name,
                                   "xyz"[direction]));
       }
   }
@@ -83,7 +81,7 @@ namespace seiche
   bool
   GridParameters<dim>::is_periodic(const unsigned int direction) const
   {
-    return walls[2 * direction] == WallCondition::periodic;
+    return walls[2 * direction].condition == WallCondition::periodic;
   }
 
 
@@ -92,8 +90,9 @@ namespace seiche
   bool
   GridParameters<dim>::any_periodic() const
   {
-    return std::find(walls.begin(), walls.end(), WallCondition::periodic) !=
-           walls.end();
+    return std::any_of(walls.begin(), walls.end(), [](const auto &wall) {
+      return wall.condition == WallCondition::periodic;
+    });
   }
 
 

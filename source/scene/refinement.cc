@@ -201,22 +201,12 @@ namespace seiche
     const std::string path = "Refinement " + criteria[index].name + "/Names";
     std::vector<std::string>              known;
     std::vector<dealii::BoundingBox<dim>> boxes;
-    for (unsigned int side = 0; side < 2 * dim; ++side)
-      {
-        if (grid.is_periodic(side / 2))
-          continue;
-        auto corners = std::make_pair(grid.lower_corner, grid.upper_corner);
-        (side % 2 == 0 ? corners.second : corners.first)[side / 2] =
-          (side % 2 == 0 ? corners.first : corners.second)[side / 2];
-        known.push_back(side_name<dim>(side));
-        boxes.emplace_back(corners);
-      }
-    for (const auto &obstacle : grid.obstacles)
-      {
-        known.push_back(obstacle.name);
-        boxes.emplace_back(
-          std::make_pair(obstacle.lower_corner, obstacle.upper_corner));
-      }
+    for (const Wall<dim> &wall : grid.walls)
+      if (wall.condition != WallCondition::periodic)
+        {
+          known.push_back(wall.name);
+          boxes.push_back(wall.box());
+        }
     const std::vector<std::string> names = split(texts[index].names);
     for (const std::string &name : names.empty() ? known : names)
       {

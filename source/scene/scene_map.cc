@@ -54,9 +54,8 @@ namespace seiche
                const GridParameters<dim>         &grid,
                const std::vector<FluidBody<dim>> &bodies)
     {
-      for (const auto &box : grid.obstacles)
-        if (dealii::BoundingBox<dim>({box.lower_corner, box.upper_corner})
-              .point_inside(x))
+      for (const auto &box : grid.obstacles())
+        if (box.box().point_inside(x))
           return SceneMap<dim>::obstacle;
       for (unsigned int b = 0; b < bodies.size(); ++b)
         if (bodies[b].region->bounding_box().point_inside(x) &&
@@ -104,7 +103,7 @@ namespace seiche
                              {box.lower_bound(d), box.upper_bound(d)});
           }
         of_all = of_bodies;
-        for (const auto &obstacle : grid.obstacles)
+        for (const auto &obstacle : grid.obstacles())
           of_all.insert(of_all.end(),
                         {obstacle.lower_corner[d], obstacle.upper_corner[d]});
         for (const GridSegment &segment : make_segments(grid, d))

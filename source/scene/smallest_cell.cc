@@ -17,7 +17,7 @@ namespace seiche
               const double               place)
     {
       const double tolerance = wall_slack(grid.domain().side_length(direction));
-      for (const auto &obstacle : grid.obstacles)
+      for (const auto &obstacle : grid.obstacles())
         for (const bool is_lower : {true, false})
           {
             const double corner = (is_lower ? obstacle.lower_corner :

@@ -34,21 +34,24 @@ namespace seiche
       {
         sides[d] = {{parameters.lower_corner[d], parameters.upper_corner[d]}};
         fixed[d] = {{sides[d][1], sides[d][0]}};
-        for (const auto &obstacle : parameters.obstacles)
+        for (const auto &obstacle : parameters.obstacles())
           fixed[d] = {{std::min(fixed[d][0], obstacle.lower_corner[d]),
                        std::max(fixed[d][1], obstacle.upper_corner[d])}};
       }
     for (unsigned int side = 0; side < 2 * dim; ++side)
       {
-        const std::string text = parameters.wall_displacement_text(side);
-        if (text.empty())
+        const Wall<dim> &wall = parameters.walls[side];
+        if (wall.displacement.empty())
           continue;
-        const std::string path = parameters.wall_displacement_path(side);
-        input.require(parameters.walls[side] != WallCondition::open,
+        const std::string path = wall.path("displacement");
+        input.require(wall.condition != WallCondition::open,
                       path,
                       "an open side is no wall; only walls move.");
-        expressions[side].emplace(
-          input, path, text, /*n_components=*/1, parameters.lower_corner);
+        expressions[side].emplace(input,
+                                  path,
+                                  wall.displacement,
+                                  /*n_components=*/1,
+                                  parameters.lower_corner);
       }
     for (unsigned int side = 0; side < 2 * dim; ++side)
       if (moves(side))
@@ -61,7 +64,7 @@ namespace seiche
                          const InputFile           &input,
                          const unsigned int         side) const
   {
-    const std::string  path = parameters.wall_displacement_path(side);
+    const std::string  path = parameters.walls[side].path("displacement");
     const unsigned int d    = side / 2;
     expressions[side]->check_motion(parameters.lower_corner,
                                     parameters.upper_corner,
@@ -70,8 +73,8 @@ namespace seiche
                   path,
                   "it must be 0 at t = 0: the wall begins where the grid has "
                   "its side.");
-    const double end  = !parameters.obstacles.empty() ? fixed[d][side % 2] :
-                                                        sides[d][1 - side % 2];
+    const double end  = !parameters.obstacles().empty() ? fixed[d][side % 2] :
+                                                          sides[d][1 - side % 2];
     const double room = std::abs(end - sides[d][side % 2]);
     input.require(room > 0.,
                   path,
@@ -92,8 +95,8 @@ namespace seiche
                                   t,
                                   left,
                                   room,
-                                  parameters.obstacles.empty() ? "wall" :
-                                                                 "obstacle"));
+                                  parameters.obstacles().empty() ? "wall" :
+                                                                   "obstacle"));
         input.require(
           !jumps([&](const double time) { return displacement(side, time); },
                  before,

@@ -3,7 +3,6 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/scene/entry_values.h>
 #include <seiche/scene/grid_parameters.h>
-#include <seiche/scene/side_entry.h>
 #include <seiche/scene/wall_condition_table.h>
 #include <seiche/scene/wall_slack.h>
 
@@ -62,22 +61,22 @@ namespace seiche
 
 
     /// A corner that coincides with a grid line, of break points, sides and the
-    /// obstacles before, is exactly there.
+    /// obstacles before the wall @p end, is exactly there.
     template <int dim>
     void
     lay_on_lines(dealii::Point<dim>        &corner,
                  const GridParameters<dim> &grid,
-                 const unsigned int         n_before)
+                 const unsigned int         end)
     {
       for (unsigned int d = 0; d < dim; ++d)
         {
           std::vector<double> lines = grid.break_points[d];
           lines.push_back(grid.lower_corner[d]);
           lines.push_back(grid.upper_corner[d]);
-          for (unsigned int i = 0; i < n_before; ++i)
+          for (unsigned int id = 2 * dim; id < end; ++id)
             {
-              lines.push_back(grid.obstacles[i].lower_corner[d]);
-              lines.push_back(grid.obstacles[i].upper_corner[d]);
+              lines.push_back(grid.walls[id].lower_corner[d]);
+              lines.push_back(grid.walls[id].upper_corner[d]);
             }
           const double slack =
             wall_slack(grid.upper_corner[d] - grid.lower_corner[d]);
@@ -106,16 +105,19 @@ namespace seiche
   GridParameters<dim>::add_wall_parameters(dealii::ParameterHandler &prm)
   {
     const dealii::Patterns::Anything anything;
+    const auto side_entry = [this](const unsigned int id) {
+      return walls[id].path().substr(std::string("Walls/").size());
+    };
     prm.enter_subsection("Walls");
     for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry<dim>(id),
-                        walls_text[id],
+      prm.add_parameter(side_entry(id),
+                        walls_text[id].condition,
                         conditions(/*of_obstacle=*/false).second,
                         dealii::Patterns::Selection(
                           conditions(/*of_obstacle=*/false).first));
     for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry<dim>(id) + " displacement",
-                        displacements_text[id],
+      prm.add_parameter(side_entry(id) + " displacement",
+                        walls[id].displacement,
                         "Motion of the wall along its normal, as of a piston: "
                         "an expression of t, positive along the coordinate, 0 "
                         "at t = 0. The grid is stretched up to the next "
@@ -128,37 +130,39 @@ namespace seiche
                       "condition unilateral.",
                       dealii::Patterns::Selection("sticking|unilateral"));
     for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry<dim>(id) + " velocity",
-                        velocities_text[id],
+      prm.add_parameter(side_entry(id) + " velocity",
+                        walls[id].velocity,
                         "Velocity of a no-slip wall along itself, as of a lid "
                         "or a belt: one expression of x, y[, z], t per "
                         "direction, separated by \";\"; empty: at rest. "
                         "[m/s]",
                         anything);
     for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry<dim>(id) + " friction",
-                        walls_friction[id],
+      prm.add_parameter(side_entry(id) + " friction",
+                        walls[id].friction,
                         friction_text,
                         dealii::Patterns::Double(0.));
     prm.leave_subsection();
 
-    for (ObstacleText &obstacle : obstacles_text)
+    for (unsigned int id = 2 * dim; id < walls.size(); ++id)
       {
+        Wall<dim> &obstacle = walls[id];
+        WallText  &text     = walls_text[id];
         prm.enter_subsection("Obstacle " + obstacle.name);
         prm.add_parameter("Lower corner",
-                          obstacle.lower,
+                          text.lower,
                           "Corner of the box that is cut out of the grid; "
                           "its faces become grid lines, or lie on those that "
                           "are within 1e-9 of the domain. [m]",
                           anything,
                           /*has_to_be_set=*/true);
         prm.add_parameter("Upper corner",
-                          obstacle.upper,
+                          text.upper,
                           "Opposite corner of the box. [m]",
                           anything,
                           /*has_to_be_set=*/true);
         prm.add_parameter("Condition",
-                          obstacle.condition,
+                          text.condition,
                           conditions(/*of_obstacle=*/true).second,
                           dealii::Patterns::Selection(
                             conditions(/*of_obstacle=*/true).first));
@@ -183,20 +187,16 @@ namespace seiche
   void
   GridParameters<dim>::check_walls(const InputFile &input)
   {
-    for (unsigned int id = 0; id < 2 * dim; ++id)
-      walls[id] = wall_condition_from_string(walls_text[id]);
-    obstacles.resize(obstacles_text.size());
-    for (unsigned int i = 0; i < obstacles.size(); ++i)
-      check_obstacle(input, i);
-    if (contact == "unilateral")
+    for (unsigned int id = 0; id < walls.size(); ++id)
       {
-        const auto let_go = [](WallCondition &condition) {
-          if (condition == WallCondition::slip)
-            condition = WallCondition::unilateral;
-        };
-        std::for_each(walls.begin(), walls.end(), let_go);
-        for (Obstacle &obstacle : obstacles)
-          let_go(obstacle.condition);
+        WallCondition &condition = walls[id].condition;
+        condition = wall_condition_from_string(walls_text[id].condition);
+        if (contact == "unilateral" && condition == WallCondition::slip)
+          condition = WallCondition::unilateral;
+        if (walls[id].is_side())
+          lay_side(walls[id]);
+        else
+          check_obstacle(input, id);
       }
     check_friction(input);
     check_periodic(input);
@@ -206,35 +206,47 @@ namespace seiche
 
   template <int dim>
   void
-  GridParameters<dim>::check_obstacle(const InputFile   &input,
-                                      const unsigned int index)
+  GridParameters<dim>::lay_side(Wall<dim> &wall) const
   {
-    const ObstacleText &text = obstacles_text[index];
-    const std::string   path = "Obstacle " + text.name + "/";
-    Obstacle           &here = obstacles[index];
-    here.name                = text.name;
-    here.condition           = wall_condition_from_string(text.condition);
-    here.friction            = text.friction;
+    wall.lower_corner    = lower_corner;
+    wall.upper_corner    = upper_corner;
+    const unsigned int d = wall.normal();
+    if (wall.side % 2 == 0)
+      wall.upper_corner[d] = lower_corner[d];
+    else
+      wall.lower_corner[d] = upper_corner[d];
+  }
+
+
+
+  template <int dim>
+  void
+  GridParameters<dim>::check_obstacle(const InputFile   &input,
+                                      const unsigned int id)
+  {
+    Wall<dim>        &here       = walls[id];
+    const std::string lower_path = here.path("lower corner"),
+                      upper_path = here.path("upper corner");
     here.lower_corner =
-      entry_values::point<dim>(input, path + "Lower corner", text.lower);
+      entry_values::point<dim>(input, lower_path, walls_text[id].lower);
     here.upper_corner =
-      entry_values::point<dim>(input, path + "Upper corner", text.upper);
+      entry_values::point<dim>(input, upper_path, walls_text[id].upper);
 
     for (dealii::Point<dim> *corner : {&here.lower_corner, &here.upper_corner})
-      lay_on_lines(*corner, *this, index);
+      lay_on_lines(*corner, *this, id);
 
     bool fills_domain = true;
     for (unsigned int d = 0; d < dim; ++d)
       {
         const double tolerance = wall_slack(upper_corner[d] - lower_corner[d]);
         input.require(here.lower_corner[d] >= lower_corner[d] - tolerance,
-                      path + "Lower corner",
+                      lower_path,
                       "the obstacle reaches out of the domain.");
         input.require(here.upper_corner[d] <= upper_corner[d] + tolerance,
-                      path + "Upper corner",
+                      upper_path,
                       "the obstacle reaches out of the domain.");
         input.require(here.lower_corner[d] + tolerance < here.upper_corner[d],
-                      path + "Upper corner",
+                      upper_path,
                       "must be greater than \"Lower corner\" in every "
                       "direction.");
         fills_domain = fills_domain &&
@@ -242,29 +254,29 @@ namespace seiche
                        here.upper_corner[d] >= upper_corner[d] - tolerance;
       }
     input.require(!fills_domain,
-                  path + "Upper corner",
+                  upper_path,
                   "the obstacle fills the whole domain.");
-    for (unsigned int id = 0; id < 2 * dim; ++id)
-      input.require(text.name != side_name<dim>(id),
-                    path + "Lower corner",
+    for (unsigned int side = 0; side < 2 * dim; ++side)
+      input.require(here.name != side_name<dim>(side),
+                    lower_path,
                     "an obstacle cannot have the name of a side of the "
                     "domain; rename it.");
-    for (unsigned int other = 0; other < index; ++other)
+    for (unsigned int before = 2 * dim; before < id; ++before)
       {
-        bool overlaps = true;
+        const Wall<dim> &other    = walls[before];
+        bool             overlaps = true;
         for (unsigned int d = 0; d < dim; ++d)
           {
             const double tolerance =
               wall_slack(upper_corner[d] - lower_corner[d]);
-            overlaps = overlaps &&
-                       here.lower_corner[d] + tolerance <
-                         obstacles[other].upper_corner[d] &&
-                       obstacles[other].lower_corner[d] + tolerance <
-                         here.upper_corner[d];
+            overlaps =
+              overlaps &&
+              here.lower_corner[d] + tolerance < other.upper_corner[d] &&
+              other.lower_corner[d] + tolerance < here.upper_corner[d];
           }
         input.require(!overlaps,
-                      path + "Lower corner",
-                      "the obstacle overlaps \"" + obstacles[other].name +
+                      lower_path,
+                      "the obstacle overlaps \"" + other.name +
                         "\"; make it of boxes that at most touch.");
       }
   }
@@ -275,13 +287,11 @@ namespace seiche
   void
   GridParameters<dim>::check_friction(const InputFile &input) const
   {
-    for (unsigned int id = 0; id < n_walls(); ++id)
-      input.require(friction(id) == 0. ||
-                      wall_condition(id) == WallCondition::slip ||
-                      wall_condition(id) == WallCondition::unilateral,
-                    id < 2 * dim ?
-                      "Walls/" + side_entry<dim>(id) + " friction" :
-                      "Obstacle " + obstacles[id - 2 * dim].name + "/Friction",
+    for (const Wall<dim> &wall : walls)
+      input.require(wall.friction == 0. ||
+                      wall.condition == WallCondition::slip ||
+                      wall.condition == WallCondition::unilateral,
+                    wall.path("friction"),
                     "only walls along which the fluid slips have friction: "
                     "set the condition to slip or unilateral, or this entry "
                     "to 0.");
@@ -294,49 +304,12 @@ namespace seiche
 
 
   template <int dim>
-  unsigned int
-  GridParameters<dim>::n_walls() const
-  {
-    return 2 * dim + obstacles.size();
-  }
-
-
-
-  template <int dim>
-  std::string
-  GridParameters<dim>::wall_name(const unsigned int id) const
-  {
-    return id < 2 * dim ? side_name<dim>(id) : obstacles[id - 2 * dim].name;
-  }
-
-
-
-  template <int dim>
-  WallCondition
-  GridParameters<dim>::wall_condition(const unsigned int id) const
-  {
-    return id < 2 * dim ? walls[id] : obstacles[id - 2 * dim].condition;
-  }
-
-
-
-  template <int dim>
-  double
-  GridParameters<dim>::friction(const unsigned int id) const
-  {
-    return id < 2 * dim ? walls_friction[id] : obstacles[id - 2 * dim].friction;
-  }
-
-
-
-  template <int dim>
   bool
   GridParameters<dim>::any_unilateral() const
   {
-    for (unsigned int id = 0; id < n_walls(); ++id)
-      if (wall_condition(id) == WallCondition::unilateral)
-        return true;
-    return false;
+    return std::any_of(walls.begin(), walls.end(), [](const auto &wall) {
+      return wall.condition == WallCondition::unilateral;
+    });
   }
 
 
@@ -345,49 +318,9 @@ namespace seiche
   bool
   GridParameters<dim>::any_friction() const
   {
-    for (unsigned int id = 0; id < n_walls(); ++id)
-      if (friction(id) > 0.)
-        return true;
-    return false;
-  }
-
-
-
-  template <int dim>
-  std::string
-  GridParameters<dim>::wall_velocity_text(const unsigned int id) const
-  {
-    return id < 2 * dim ? velocities_text[id] :
-                          obstacles_text[id - 2 * dim].velocity;
-  }
-
-
-
-  template <int dim>
-  std::string
-  GridParameters<dim>::wall_velocity_path(const unsigned int id) const
-  {
-    return id < 2 * dim ?
-             "Walls/" + side_entry<dim>(id) + " velocity" :
-             "Obstacle " + obstacles_text[id - 2 * dim].name + "/Velocity";
-  }
-
-
-
-  template <int dim>
-  const std::string &
-  GridParameters<dim>::wall_displacement_text(const unsigned int side) const
-  {
-    return displacements_text[side];
-  }
-
-
-
-  template <int dim>
-  std::string
-  GridParameters<dim>::wall_displacement_path(const unsigned int side) const
-  {
-    return "Walls/" + side_entry<dim>(side) + " displacement";
+    return std::any_of(walls.begin(), walls.end(), [](const auto &wall) {
+      return wall.friction > 0.;
+    });
   }
 
 

@@ -12,33 +12,25 @@ namespace seiche
                                   const InputFile           &input,
                                   const double               end_time)
   {
-    expressions.resize(parameters.n_walls());
-    for (unsigned int wall = 0; wall < expressions.size(); ++wall)
+    expressions.resize(parameters.walls.size());
+    for (unsigned int id = 0; id < expressions.size(); ++id)
       {
-        const std::string text = parameters.wall_velocity_text(wall);
-        if (text.empty())
+        const Wall<dim> &wall = parameters.walls[id];
+        if (wall.velocity.empty())
           continue;
-        const std::string path    = parameters.wall_velocity_path(wall);
-        const bool        is_side = wall < 2 * dim;
-        input.require(parameters.wall_condition(wall) == WallCondition::no_slip,
+        const std::string path = wall.path("velocity");
+        input.require(wall.condition == WallCondition::no_slip,
                       path,
                       "only a wall with the condition no-slip moves the fluid; "
                       "set it, or leave this entry empty.");
-        auto box =
-          is_side ?
-            parameters.domain().get_boundary_points() :
-            std::make_pair(parameters.obstacles[wall - 2 * dim].lower_corner,
-                           parameters.obstacles[wall - 2 * dim].upper_corner);
-        dealii::Point<dim> centre = box.first + 0.5 * (box.second - box.first);
-        if (is_side)
-          centre[wall / 2] =
-            wall % 2 == 0 ? box.first[wall / 2] : box.second[wall / 2];
-        expressions[wall].emplace(input, path, text, dim, centre);
-        expressions[wall]->check_until(end_time);
-        if (!is_side)
+        const dealii::Point<dim> centre =
+          wall.lower_corner + 0.5 * (wall.upper_corner - wall.lower_corner);
+        expressions[id].emplace(input, path, wall.velocity, dim, centre);
+        expressions[id]->check_until(end_time);
+        if (!wall.is_side())
           continue;
         for (const double t : sample_times(end_time))
-          input.require(value(wall, centre, t)[wall / 2] == 0.,
+          input.require(value(id, centre, t)[wall.normal()] == 0.,
                         path,
                         fmt::format("the wall moves along itself only: its "
                                     "normal component must be 0, also at "

@@ -53,7 +53,7 @@ namespace seiche
     has_walls(const GridParameters<dim> &grid, const unsigned int direction)
     {
       const auto is_wall = [&grid](const unsigned int side) {
-        const WallCondition condition = grid.wall_condition(side);
+        const WallCondition condition = grid.walls[side].condition;
         return condition != WallCondition::open &&
                condition != WallCondition::periodic;
       };

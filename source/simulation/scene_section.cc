@@ -249,11 +249,8 @@ namespace seiche
       void
       draw_obstacles()
       {
-        for (const auto &obstacle : grid.obstacles)
-          draw_box(BoundingBox<dim>(
-                     {obstacle.lower_corner, obstacle.upper_corner}),
-                   obstacle.name,
-                   obstacle_style);
+        for (const auto &obstacle : grid.obstacles())
+          draw_box(obstacle.box(), obstacle.name, obstacle_style);
       }
 
       void

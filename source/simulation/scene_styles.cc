@@ -23,10 +23,10 @@ namespace seiche
   LineStyle
   wall_style(const GridParameters<dim> &grid, const unsigned int side)
   {
-    if (!grid.wall_displacement_text(side).empty())
+    if (!grid.walls[side].displacement.empty())
       return moving_wall;
     for (const WallConditionEntry &entry : wall_condition_table)
-      if (entry.condition == grid.walls[side])
+      if (entry.condition == grid.walls[side].condition)
         return {entry.name, entry.line};
     Assert(false, ExcInternalError());
     return {};

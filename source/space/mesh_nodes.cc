@@ -120,10 +120,10 @@ namespace seiche
         {
           const types::boundary_id wall = locator.boundary_id(cell, face);
           if (wall == numbers::internal_face_boundary_id ||
-              locator.grid.wall_condition(wall) == WallCondition::open)
+              locator.grid.wall(wall).condition == WallCondition::open)
             continue;
           const bool all =
-            locator.grid.wall_condition(wall) == WallCondition::no_slip;
+            locator.grid.wall(wall).condition == WallCondition::no_slip;
           for (unsigned int a = 0; a < n_nodes; ++a)
             if (line_index<dim>(fe.degree, a, face / 2) ==
                   (face % 2) * fe.degree &&

@@ -78,7 +78,7 @@ namespace
       }
     std::vector<Wall> found;
     for (const auto &[id, size] : area)
-      found.push_back({grid.wall_name(id), grid.wall_condition(id), size});
+      found.push_back({grid.wall(id).name, grid.wall(id).condition, size});
     std::cout << "  volume: " << verdict(std::abs(sum - volume) < 1e-12)
               << ", names, conditions and areas of walls: "
               << verdict(found == walls) << std::endl;

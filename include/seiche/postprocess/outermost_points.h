@@ -121,7 +121,7 @@ namespace seiche
       double result          = std::min(sign * x[axis] + view.half_spacing,
                                sign * (sign > 0. ? high : low)[axis]);
       for (const auto &obstacle :
-           view.occupancy.locator.grid.parameters.obstacles)
+           view.occupancy.locator.grid.parameters.obstacles())
         {
           const auto &lower = obstacle.lower_corner,
                      &upper = obstacle.upper_corner;

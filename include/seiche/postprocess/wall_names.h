@@ -16,8 +16,8 @@ namespace seiche
   wall_names(const GridParameters<dim> &grid)
   {
     std::vector<std::string> names;
-    for (unsigned int id = 0; id < grid.n_walls(); ++id)
-      names.push_back(grid.wall_name(id));
+    for (const Wall<dim> &wall : grid.walls)
+      names.push_back(wall.name);
     return names;
   }
 
@@ -29,9 +29,9 @@ namespace seiche
                   const std::string         &path,
                   const std::string         &name)
   {
-    for (unsigned int id = 0; id < grid.n_walls(); ++id)
-      input.require(grid.wall_name(id) != name ||
-                      grid.wall_condition(id) != WallCondition::periodic,
+    for (const Wall<dim> &wall : grid.walls)
+      input.require(wall.name != name ||
+                      wall.condition != WallCondition::periodic,
                     path,
                     "the side \"" + name + "\" is periodic: there is no wall.");
   }

@@ -61,7 +61,7 @@ namespace seiche
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
 
   private:
-    using Obstacle = typename GridParameters<dim>::Obstacle;
+    using Obstacle = Wall<dim>;
 
     /// What a gauge sees from above.
     struct Footprint

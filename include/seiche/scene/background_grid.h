@@ -90,16 +90,9 @@ namespace seiche
     const LatticeBox &
     obstacle_box(const unsigned int index) const;
 
-    /// Name of a boundary id, e.g. "left" or the name of an obstacle.
-    std::string
-    wall_name(const dealii::types::boundary_id id) const;
-
-    /// Number of boundary ids: 2 dim + number of obstacles.
-    unsigned int
-    n_walls() const;
-
-    WallCondition
-    wall_condition(const dealii::types::boundary_id id) const;
+    /// By boundary id.
+    const Wall<dim> &
+    wall(const dealii::types::boundary_id id) const;
 
     const GridParameters<dim>                        &parameters;
     dealii::parallel::distributed::Triangulation<dim> triangulation;

@@ -3,7 +3,9 @@
 #define seiche_scene_grid_parameters_h
 
 #include <seiche/scene/refinement.h>
+#include <seiche/scene/wall.h>
 
+#include <deal.II/base/array_view.h>
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 
@@ -20,39 +22,19 @@ namespace seiche
 {
   class InputFile;
 
-  /// What a wall does to the displacement of the fluid that touches it.
-  enum class WallCondition
-  {
-    slip,       ///< normal component fixed
-    unilateral, ///< the same, but the fluid may leave the wall
-    no_slip,    ///< all components fixed
-    open,       ///< nothing fixed; points that cross it leave as outflow
-    periodic    ///< no wall: the opposite side is the same place
-  };
-
   /**
    * @brief The box domain, its grid lines, walls and obstacles (prm entries).
    */
   template <int dim>
   struct GridParameters
   {
-    struct Obstacle
-    {
-      std::string        name;
-      dealii::Point<dim> lower_corner; // [m]
-      dealii::Point<dim> upper_corner; // [m]
-      WallCondition      condition = WallCondition::slip;
-      double             friction  = 0.; // skin friction coefficient [-]
-    };
-
     dealii::Point<dim>                         lower_corner;   // [m]
     dealii::Point<dim>                         upper_corner;   // [m]
     double                                     cell_size = 0.; // [m], 0: unused
     std::array<std::vector<double>, dim>       break_points;   // interior, [m]
     std::array<std::vector<unsigned int>, dim> cells; // per segment, or empty
-    std::array<WallCondition, 2 * dim>         walls; // by boundary id
-    std::vector<Obstacle>                      obstacles;
-    RefinementParameters<dim>                  refinement;
+    std::vector<Wall<dim>>    walls; ///< by boundary id: sides, obstacles
+    RefinementParameters<dim> refinement;
 
     /// Makes room for the obstacles that @p input names.
     GridParameters(const InputFile &input);
@@ -63,19 +45,17 @@ namespace seiche
     void
     check(const InputFile &input);
 
-    /// Number of boundary ids: 2 dim + number of obstacles.
-    unsigned int
-    n_walls() const;
+    /// The walls that are no sides.
+    dealii::ArrayView<const Wall<dim>>
+    obstacles() const
+    {
+      return {walls.data() + 2 * dim, walls.size() - 2 * dim};
+    }
 
-    /// Name of a boundary id, e.g. "left" or the name of an obstacle.
-    std::string
-    wall_name(const unsigned int id) const;
-
-    /// By boundary id; friction: skin friction coefficient [-].
-    WallCondition
-    wall_condition(const unsigned int id) const;
-    double
-    friction(const unsigned int id) const;
+    /// Boundary id of the obstacle that a place lies in, or
+    /// numbers::internal_face_boundary_id.
+    dealii::types::boundary_id
+    obstacle_at(const dealii::Point<dim> &place) const;
 
     /// Fewest cells along a periodic direction: a cell, the two beside it and
     /// one that is beside none of them, so that a neighbour is so on one side.
@@ -93,18 +73,6 @@ namespace seiche
     any_unilateral() const;
     bool
     any_friction() const;
-
-    /// Text and path of the entry with a wall's velocity, by boundary id.
-    std::string
-    wall_velocity_text(const unsigned int id) const;
-    std::string
-    wall_velocity_path(const unsigned int id) const;
-
-    /// The same of the displacement of a side.
-    const std::string &
-    wall_displacement_text(const unsigned int side) const;
-    std::string
-    wall_displacement_path(const unsigned int side) const;
 
     /// The whole box.
     dealii::BoundingBox<dim>
@@ -124,8 +92,11 @@ namespace seiche
     check_walls(const InputFile &input);
     void
     check_lines(const InputFile &input, const unsigned int direction);
+    /// The box of a side.
     void
-    check_obstacle(const InputFile &input, const unsigned int index);
+    lay_side(Wall<dim> &wall) const;
+    void
+    check_obstacle(const InputFile &input, const unsigned int id);
     void
     check_friction(const InputFile &input) const;
     void
@@ -139,20 +110,15 @@ namespace seiche
     check_thin_cells(const InputFile &input) const;
 
     // strings as parsed; one per direction or instance
-    std::array<std::string, dim>     break_points_text;
-    std::array<std::string, dim>     cells_text;
-    std::array<std::string, 2 * dim> walls_text;
-    std::array<std::string, 2 * dim> velocities_text;
-    std::array<std::string, 2 * dim> displacements_text;
-    std::array<double, 2 * dim>      walls_friction{};
-    std::string                      contact = "sticking";
-    std::string                      lower_text, upper_text;
-    struct ObstacleText
+    std::array<std::string, dim> break_points_text;
+    std::array<std::string, dim> cells_text;
+    std::string                  contact = "sticking";
+    std::string                  lower_text, upper_text;
+    struct WallText
     {
-      std::string name, lower, upper, condition = "slip", velocity;
-      double      friction = 0.;
+      std::string condition = "slip", lower, upper;
     };
-    std::vector<ObstacleText> obstacles_text;
+    std::vector<WallText> walls_text;
   };
 
   /// Name of a side of the box, e.g. "left", from its boundary id.

@@ -40,7 +40,7 @@ namespace seiche
             {
               const auto wall = locator.boundary_id(cell, 2 * d + side);
               if (wall == dealii::numbers::internal_face_boundary_id ||
-                  locator.grid.wall_condition(wall) == WallCondition::open)
+                  locator.grid.wall(wall).condition == WallCondition::open)
                 continue;
               // where nodes differ (hanging ones, contacts) the farthest counts
               double way = -infinite;
