@@ -116,6 +116,51 @@ namespace
     return {global_sum(result.first), global_sum(result.second)};
   }
 
+  /// Whether cells with fluid are as small as the criteria of scene_text() ask:
+  /// in the box, beside the obstacle, and beside empty cells; and whether none
+  /// has a neighbour of less than half its size.
+  template <int dim>
+  void
+  judge_sizes(const PointCloud<dim> &points)
+  {
+    const CellLocator<dim> &locator = points.locator;
+    constexpr double        quarter = 0.2 / 4. + 1e-9, half = 0.2 / 2. + 1e-9;
+    unsigned int n_in_box = 0, n_at_wall = 0, n_at_surface = 0, n_jumps = 0;
+    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      {
+        const double     size   = locator.extent(cell)[0];
+        const Point<dim> low    = locator.lower_corner(cell);
+        const Point<dim> high   = locator.upper_corner(cell);
+        bool             in_box = true, at_wall = false, at_surface = false;
+        for (unsigned int d = 0; d < dim; ++d)
+          in_box &= low[d] < 0.85 - 1e-9 && high[d] > 0.7 + 1e-9;
+        for (unsigned int face = 0; face < 2 * dim; ++face)
+          {
+            at_wall |= locator.boundary_id(cell, face) == 2 * dim;
+            const unsigned int other = locator.neighbor(cell, face);
+            if (other == locator.invalid)
+              continue;
+            const double ratio = locator.extent(other)[0] / size;
+            n_jumps += ratio < 0.4 || ratio > 2.1;
+            at_surface |=
+              other < locator.n_owned() && points.n_points_in(other) == 0;
+          }
+        if (points.n_points_in(cell) == 0)
+          continue;
+        n_in_box += in_box && size > quarter;
+        n_at_wall += at_wall && size > quarter;
+        n_at_surface += at_surface && size > half;
+      }
+    print("small enough in the box: ",
+          verdict(global_sum(n_in_box) == 0),
+          ", at the obstacle: ",
+          verdict(global_sum(n_at_wall) == 0),
+          ", at the surface: ",
+          verdict(global_sum(n_at_surface) == 0),
+          ", neighbours at most of twice the size: ",
+          verdict(global_sum(n_jumps) == 0));
+  }
+
   template <int dim>
   void
   print_levels(const char *title, const CellLocator<dim> &locator)
@@ -149,6 +194,7 @@ namespace
                                    points,
                                    /*gauss_in_full_cells=*/true);
     print_levels("cells by level:", locator);
+    judge_sizes(points);
     print("points ", points.n_global());
     const bool changes =
       adaptation.update(scene.grid_parameters.refinement.adapt_every);
@@ -226,6 +272,7 @@ namespace
         occupancy.update(points);
       }
     print_levels("moved up by 0.4, cells by level:", locator);
+    judge_sizes(points);
     print("points ", points.n_global(), ", nodes ", occupancy.n_global_nodes());
   }
 
