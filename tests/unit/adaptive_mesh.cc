@@ -3,10 +3,9 @@
 // in a second pass, hanging nodes keep linear functions, ghost faces see no
 // jump in them, also across level jumps. Same output on any number of ranks.
 #include <seiche/formulation/ghost_penalty.h>
-#include <seiche/grid/mesh_adaptation.h>
 
 #include "global_reductions.h"
-#include "scene_from_text.h"
+#include "problem_from_text.h"
 
 namespace
 {
@@ -128,9 +127,9 @@ namespace
     unsigned int n_in_box = 0, n_at_wall = 0, n_at_surface = 0, n_jumps = 0;
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       {
-        const double     size   = locator.extent(cell)[0];
-        const Point<dim> low    = locator.lower_corner(cell);
-        const Point<dim> high   = locator.upper_corner(cell);
+        const double     size   = locator.geometry(cell).edges[0];
+        const Point<dim> low    = locator.geometry(cell).lower;
+        const Point<dim> high   = locator.geometry(cell).upper;
         bool             in_box = true, at_wall = false, at_surface = false;
         for (unsigned int d = 0; d < dim; ++d)
           in_box &= low[d] < 0.85 - 1e-9 && high[d] > 0.7 + 1e-9;
@@ -140,7 +139,7 @@ namespace
             const unsigned int other = locator.neighbor(cell, face);
             if (other == locator.invalid)
               continue;
-            const double ratio = locator.extent(other)[0] / size;
+            const double ratio = locator.geometry(other).edges[0] / size;
             n_jumps += ratio < 0.4 || ratio > 2.1;
             at_surface |=
               other < locator.n_owned() && points.n_points_in(other) == 0;
@@ -179,33 +178,23 @@ namespace
   test()
   {
     print(dim, "D");
-    const SceneFromText<dim> scene(scene_text<dim>());
-    BackgroundGrid<dim>      grid(scene.grid_parameters, communicator);
-    CellLocator<dim>         locator(grid);
-    PointCloud<dim>          points(locator, {}, communicator);
-    seed_bodies(scene.seeding,
-                scene.bodies,
-                scene.input,
-                material_of_density(1000.),
-                points);
-    print("points ", points.n_global());
-    MeshAdaptation<dim> adaptation(grid,
-                                   locator,
-                                   points,
-                                   /*gauss_in_full_cells=*/true);
+    ProblemFromText<dim>    problem(scene_text<dim>());
+    const CellLocator<dim> &locator   = problem.locator;
+    PointCloud<dim>        &points    = problem.points;
+    Occupancy<dim>         &occupancy = problem.occupancy;
+    const Fill<dim>        &fill      = problem.fill;
+    print("points ", problem.seeding.n_points);
     print_levels("cells by level:", locator);
     judge_sizes(points);
     print("points ", points.n_global());
     const bool changes =
-      adaptation.update(scene.grid_parameters.refinement.adapt_every);
+      problem.mesh_adaptation.update(problem.scene.grid.refinement.adapt_every);
     if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
       print("a second pass changes the mesh: ", changes);
     print_levels("cells by level:", locator);
 
-    Occupancy<dim> occupancy(locator, /*degree=*/1);
-    occupancy.update(points);
-    Fill<dim> fill(occupancy, QuadratureRule::cut_cells);
-    fill.update(points);
+    occupancy.reinit();
+    problem.find_cells();
     print("nodes ", occupancy.n_global_nodes());
     typename Occupancy<dim>::Vector values(occupancy.scalar_partitioner());
     double                          volume = 0., filled = 0.;
@@ -267,8 +256,7 @@ namespace
         for (std::size_t p = 0; p < points.size(); ++p)
           points.data(PointColumn::position, 1)[p] += 0.05;
         points.locate();
-        if (adaptation.update(step + 1))
-          occupancy.reinit();
+        problem.adapt_mesh(step + 1);
         occupancy.update(points);
       }
     print_levels("moved up by 0.4, cells by level:", locator);

@@ -3,10 +3,8 @@
 // adaptive mesh: which cells are, fields stay continuous and keep linear
 // functions, the two views of such a cell agree, its masses are positive. Same
 // output on any number of ranks.
-#include <seiche/grid/fill.h>
-#include <seiche/grid/mesh_adaptation.h>
 
-#include "scene_from_text.h"
+#include "problem_from_text.h"
 
 namespace
 {
@@ -27,6 +25,7 @@ namespace
            "subsection Fluid body a\n set Lower corner = " +
            corner<dim>("0") + "\n set Upper corner = " + corner<dim>("1") +
            "\nend\n"
+           "subsection Formulation\n set Element degree = 2\nend\n"
            "subsection Points\n set Jitter = 0.3\n"
            "set Per cell and direction = 3\nend\n"
            "subsection Refinement fluid\n set Criterion = fluid\n"
@@ -112,24 +111,11 @@ namespace
   void
   test()
   {
-    const SceneFromText<dim> scene(scene_text<dim>());
-    BackgroundGrid<dim>      grid(scene.grid_parameters, communicator);
-    CellLocator<dim>         locator(grid);
-    PointCloud<dim>          points(locator, {}, communicator);
-    seed_bodies(scene.seeding,
-                scene.bodies,
-                scene.input,
-                material_of_density(1000.),
-                points);
-    MeshAdaptation<dim> adaptation(grid,
-                                   locator,
-                                   points,
-                                   /*gauss_in_full_cells=*/true);
-    Occupancy<dim>      occupancy(locator, /*degree=*/2);
-    occupancy.update(points);
-    Fill<dim> fill(occupancy, QuadratureRule::cut_cells);
-    fill.update(points);
-    occupancy.set_linear(fill.linear_cells());
+    ProblemFromText<dim>    problem(scene_text<dim>());
+    const CellLocator<dim> &locator   = problem.locator;
+    Occupancy<dim>         &occupancy = problem.occupancy;
+    problem.find_cells();
+    occupancy.set_linear(problem.fill.linear_cells());
 
     const Nodal<dim> rough    = field_of<dim>(occupancy, wild<dim>);
     const Nodal<dim> smooth   = field_of<dim>(occupancy, linear<dim>);

@@ -3,11 +3,10 @@
 // one of the fluid in a cell, full or not; uniform accelerations do not feel
 // it; its tangent is the residual's derivative.
 #include <seiche/formulation/point_inertia.h>
-#include <seiche/grid/fill.h>
 
 #include <cmath>
 
-#include "scene_from_text.h"
+#include "problem_from_text.h"
 
 namespace
 {
@@ -26,6 +25,7 @@ namespace
            (dim == 3 ? " set Cells z = 1\n" : "") +
            "end\nsubsection Fluid body block\n set Lower corner = 0, 0" + z +
            "\n set Upper corner = 0.5, 0.6" + z1 +
+           "\nend\nsubsection Quadrature\n set Rule = material points"
            "\nend\nsubsection Points\n set Per cell and direction = " +
            std::to_string(per_direction) + "\nend\n";
   }
@@ -36,19 +36,12 @@ namespace
   double
   moment_error(const unsigned int per_direction, double &own_share)
   {
-    const SceneFromText<dim>    scene(scene_text<dim>(per_direction));
-    seiche::BackgroundGrid<dim> grid(scene.grid_parameters, MPI_COMM_WORLD);
-    seiche::CellLocator<dim>    locator(grid);
-    seiche::PointCloud<dim>     points(locator, {}, MPI_COMM_WORLD);
-    seiche::seed_bodies(scene.seeding,
-                        scene.bodies,
-                        scene.input,
-                        material_of_density(100.),
-                        points);
-    seiche::Occupancy<dim> occupancy(locator, /*degree=*/1);
-    seiche::Fill<dim> fill(occupancy, seiche::QuadratureRule::material_points);
-    occupancy.update(points);
-    fill.update(points);
+    ProblemFromText<dim>            problem(scene_text<dim>(per_direction));
+    const seiche::CellLocator<dim> &locator   = problem.locator;
+    const seiche::Occupancy<dim>   &occupancy = problem.occupancy;
+    const seiche::Fill<dim>        &fill      = problem.fill;
+    const seiche::PointCloud<dim>  &points    = problem.points;
+    problem.find_cells();
     double error = 0.;
     for (const unsigned int cell : occupancy.occupied_cells())
       {

@@ -3,10 +3,9 @@
 // nodes: for degree 2 (1/6)/(1/4) a direction in the corners of cells,
 // (4/6)/(1/2) in their middles, 1 where cells are multilinear; 1 for degree 1.
 // In a full box, and below a free surface.
-#include <seiche/grid/fill.h>
 #include <seiche/grid/row_mass.h>
 
-#include "scene_from_text.h"
+#include "problem_from_text.h"
 
 namespace
 {
@@ -30,25 +29,16 @@ namespace
   void
   test(const unsigned int degree, const std::string &fluid)
   {
-    const SceneFromText<dim> scene(
-      "subsection Grid\n set Lower corner = " + corner<dim>("0") +
-      "\n set Upper corner = " + corner<dim>("1") +
+    ProblemFromText<dim> problem(
+      "subsection Formulation\n set Element degree = " +
+      std::to_string(degree) + "\nend\nsubsection Grid\n set Lower corner = " +
+      corner<dim>("0") + "\n set Upper corner = " + corner<dim>("1") +
       "\n set Cell size = 0.2\nend\n"
       "subsection Fluid body a\n set Lower corner = " +
       corner<dim>("0") + "\n set Upper corner = " + fluid + "\nend\n");
-    BackgroundGrid<dim> grid(scene.grid_parameters, communicator);
-    CellLocator<dim>    locator(grid);
-    PointCloud<dim>     points(locator, {}, communicator);
-    seed_bodies(scene.seeding,
-                scene.bodies,
-                scene.input,
-                material_of_density(1000.),
-                points);
-    Occupancy<dim> occupancy(locator, degree);
-    occupancy.update(points);
-    Fill<dim> fill(occupancy, QuadratureRule::cut_cells);
-    fill.update(points);
-    occupancy.set_linear(fill.linear_cells());
+    Occupancy<dim> &occupancy = problem.occupancy;
+    problem.find_cells();
+    occupancy.set_linear(problem.fill.linear_cells());
     RowMass<dim> row_mass(occupancy, /*is_needed=*/true);
     row_mass.reinit();
 

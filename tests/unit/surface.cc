@@ -3,12 +3,11 @@
 // it is, whatever the rows of points; the inside has their volume; cells with
 // an inside but no points are occupied; a lone point stays a point. The same
 // beside an obstacle that stands in the surface and on any number of ranks.
-#include <seiche/grid/fill.h>
 
 #include <cmath>
 #include <map>
 
-#include "scene_from_text.h"
+#include "problem_from_text.h"
 
 namespace
 {
@@ -49,26 +48,18 @@ namespace
                const double       rise,
                const bool         with_obstacle)
   {
-    constexpr double         height = 0.5, h = 0.1;
-    const SceneFromText<dim> scene(
+    constexpr double     height = 0.5, h = 0.1;
+    ProblemFromText<dim> problem(
       tank<dim>(height, per_direction, with_obstacle));
-    seiche::BackgroundGrid<dim> grid(scene.grid_parameters, MPI_COMM_WORLD);
-    seiche::CellLocator<dim>    locator(grid);
-    seiche::PointCloud<dim>     points(locator, {}, MPI_COMM_WORLD);
-    seiche::seed_bodies(scene.seeding,
-                        scene.bodies,
-                        scene.input,
-                        material_of_density(100.),
-                        points);
+    const seiche::CellLocator<dim> &locator   = problem.locator;
+    const seiche::Occupancy<dim>   &occupancy = problem.occupancy;
+    const seiche::Fill<dim>        &fill      = problem.fill;
+    seiche::PointCloud<dim>        &points    = problem.points;
     double *y = points.data(seiche::PointColumn::position, dim - 1);
     for (std::size_t p = 0; p < points.size(); ++p)
       y[p] = std::max(y[p] + rise * h, 1e-6);
     points.locate();
-    seiche::Occupancy<dim> occupancy(locator,
-                                     /*degree=*/1);
-    seiche::Fill<dim>      fill(occupancy, seiche::QuadratureRule::cut_cells);
-    occupancy.update(points);
-    fill.update(points);
+    problem.find_cells();
     // of each column of cells, by the place of its lower corner
     using Tops = std::map<std::pair<double, double>, double>;
     Tops   of_rank, tops;
@@ -122,27 +113,18 @@ namespace
   void
   check_lone_point()
   {
-    const std::string        z = dim == 3 ? "0.2, " : "";
-    const std::string        w = dim == 3 ? "0.225, " : "";
-    const SceneFromText<dim> scene(
+    const std::string    z = dim == 3 ? "0.2, " : "";
+    const std::string    w = dim == 3 ? "0.225, " : "";
+    ProblemFromText<dim> problem(
       tank<dim>(0.5, 4, /*with_obstacle=*/false) +
       "subsection Fluid body drop\n set Lower corner = 0.2, " + z +
       "0.85\n set Upper corner = 0.225, " + w + "0.875\nend\n");
-    seiche::BackgroundGrid<dim> grid(scene.grid_parameters, MPI_COMM_WORLD);
-    seiche::CellLocator<dim>    locator(grid);
-    seiche::PointCloud<dim>     points(locator, {}, MPI_COMM_WORLD);
-    seiche::seed_bodies(scene.seeding,
-                        scene.bodies,
-                        scene.input,
-                        material_of_density(100.),
-                        points);
-    seiche::Occupancy<dim> occupancy(locator,
-                                     /*degree=*/1);
-    seiche::Fill<dim>      fill(occupancy, seiche::QuadratureRule::cut_cells);
-    occupancy.update(points);
-    fill.update(points);
+    const seiche::CellLocator<dim> &locator = problem.locator;
+    const seiche::Fill<dim>        &fill    = problem.fill;
+    const seiche::PointCloud<dim>  &points  = problem.points;
+    problem.find_cells();
     double n_loose = 0., n_empty_cells = 0.;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : problem.occupancy.occupied_cells())
       if (locator.geometry(cell).lower[dim - 1] > 0.75)
         {
           const double *loose = fill.loose_shares(points, cell);
