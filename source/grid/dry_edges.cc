@@ -10,7 +10,7 @@ namespace seiche
   template <int dim>
   DryEdges<dim>::DryEdges(Occupancy<dim> &grid_occupancy)
     : occupancy(grid_occupancy)
-    , exist(!grid_occupancy.locator.grid.parameters.obstacles().empty())
+    , exist(grid_occupancy.locator.grid.parameters.obstacles().size() > 0)
   {}
 
   template <int dim>

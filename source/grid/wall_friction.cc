@@ -25,10 +25,10 @@ namespace seiche
     contacts.clear();
     if (!exists)
       return;
-    const auto                &locator = occupancy.locator;
-    const GridParameters<dim> &walls   = locator.grid.parameters;
-    const auto                &line    = line_integrals(occupancy.fe.degree);
-    const Vector               zero(occupancy.scalar_partitioner());
+    const auto                   &locator = occupancy.locator;
+    const std::vector<Wall<dim>> &walls   = locator.grid.parameters.walls;
+    const auto                   &line    = line_integrals(occupancy.fe.degree);
+    const Vector                  zero(occupancy.scalar_partitioner());
 
     Vector volume(zero);
     // the same walls on every rank

@@ -170,7 +170,7 @@ namespace seiche
     const BackgroundGrid<dim>               &background_grid)
     : forces(parameters)
     , grid(background_grid)
-    , forces_of_wall(grid.walls.size())
+    , forces_of_wall(grid.parameters.walls.size())
   {
     const std::vector<std::string> names = wall_names(grid.parameters);
     for (unsigned int f = 0; f < forces.size(); ++f)

@@ -73,8 +73,9 @@ namespace seiche
                   path,
                   "it must be 0 at t = 0: the wall begins where the grid has "
                   "its side.");
-    const double end  = !parameters.obstacles().empty() ? fixed[d][side % 2] :
-                                                          sides[d][1 - side % 2];
+    const double end  = parameters.obstacles().size() > 0 ?
+                          fixed[d][side % 2] :
+                          sides[d][1 - side % 2];
     const double room = std::abs(end - sides[d][side % 2]);
     input.require(room > 0.,
                   path,
@@ -95,8 +96,9 @@ namespace seiche
                                   t,
                                   left,
                                   room,
-                                  parameters.obstacles().empty() ? "wall" :
-                                                                   "obstacle"));
+                                  parameters.obstacles().size() == 0 ?
+                                    "wall" :
+                                    "obstacle"));
         input.require(
           !jumps([&](const double time) { return displacement(side, time); },
                  before,
