@@ -48,6 +48,28 @@ namespace seiche
       return values;
     }
 
+    /// What is said of a run before its first step.
+    template <int dim>
+    void
+    introduce(const PlannedScene<dim> &planned,
+              const std::string       &description,
+              const std::string       &origin, // of a run that goes on
+              RunReport               &report)
+    {
+      report.header(description);
+      if (origin.empty())
+        {
+          const SceneScales &scales = planned.plan.scales;
+          report.header(scales.text());
+          for (const std::string &text : scales.doubts())
+            report.warn(text, "");
+        }
+      for (const std::string &text : planned.scene.input.without_effect())
+        report.warn(text, "");
+      if (!origin.empty())
+        report.header("going on from " + origin);
+    }
+
     /// Simulate, each time anew after a checkpoint of every n steps, until the
     /// end or until the run is asked to stop. Collective.
     template <int dim>
@@ -87,19 +109,8 @@ namespace seiche
       // files of an earlier run be moved
       if (!restarts)
         folder.take();
-      report.header(simulation->description());
+      introduce(planned, simulation->description(), origin, report);
       if (!restarts)
-        {
-          const SceneScales &scales = planned.plan.scales;
-          report.header(scales.text());
-          for (const std::string &text : scales.doubts())
-            report.warn(text, "");
-        }
-      for (const std::string &text : scene.input.without_effect())
-        report.warn(text, "");
-      if (restarts)
-        report.header("going on from " + origin);
-      else
         folder.clear(report);
       folder.begin(scene.input, planned.prm, report, restarts);
       try

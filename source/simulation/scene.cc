@@ -38,6 +38,35 @@ namespace seiche
           }
       throw_problems(problems);
     }
+
+    /// What some walls, forces of sound and the error of a step need.
+    template <int dim>
+    void
+    check_scheme(const Scene<dim> &scene)
+    {
+      scene.input.require(
+        !(scene.grid.any_unilateral() || scene.grid.any_friction() ||
+          WallMotion<dim>(scene.grid, scene.input, scene.time.end_time)
+            .any()) ||
+          scene.time_scheme.scheme == "generalized midpoint",
+        "Time/Scheme",
+        "unilateral walls, walls with friction and walls with a "
+        "displacement need generalized midpoint: the other schemes carry an "
+        "acceleration that jumps where the fluid meets a wall");
+      scene.input.require(
+        scene.time_scheme.elastic_pressure == "end" ||
+          (scene.time_scheme.scheme == "generalized midpoint" &&
+           !scene.fluid.is_incompressible()),
+        "Time/Elastic pressure",
+        "middle needs Scheme = generalized midpoint and a finite Fluid/Bulk "
+        "modulus: an incompressible fluid has no sound; set it to end");
+      scene.input.require(
+        !scene.time.controls_error() ||
+          scene.time_scheme.scheme != "generalized midpoint" ||
+          scene.time_scheme.rho_infinity == 1.,
+        "Time/Step control",
+        "error needs a scheme of second order: set Rho infinity = 1");
+    }
   } // namespace
 
   template <int dim>
@@ -124,27 +153,7 @@ namespace seiche
     require_all(of_sections);
     check_materials(input_file);
     check_choices(input_file);
-
-    input_file.require(
-      !(grid.any_unilateral() || grid.any_friction() ||
-        WallMotion<dim>(grid, input_file, time.end_time).any()) ||
-        time_scheme.scheme == "generalized midpoint",
-      "Time/Scheme",
-      "unilateral walls, walls with friction and walls with a "
-      "displacement need generalized midpoint: the other schemes carry an "
-      "acceleration that jumps where the fluid meets a wall");
-    input_file.require(
-      time_scheme.elastic_pressure == "end" ||
-        (time_scheme.scheme == "generalized midpoint" &&
-         !fluid.is_incompressible()),
-      "Time/Elastic pressure",
-      "middle needs Scheme = generalized midpoint and a finite Fluid/Bulk "
-      "modulus: an incompressible fluid has no sound; set it to end");
-    input_file.require(
-      !time.controls_error() || time_scheme.scheme != "generalized midpoint" ||
-        time_scheme.rho_infinity == 1.,
-      "Time/Step control",
-      "error needs a scheme of second order: set Rho infinity = 1");
+    check_scheme(*this);
     if (bodies.empty())
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "
