@@ -21,7 +21,7 @@ namespace seiche
           continue;
         input.require(walls[other].condition == WallCondition::periodic,
                       walls[other].path(),
-                      "\"" + walls[id].path() +
+                      "\"" + walls[id].side_entry() +
                         "\" is periodic, and this side is the same place: set "
                         "both to periodic, or none.");
         for (const unsigned int side : {id, other})

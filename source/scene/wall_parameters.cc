@@ -105,18 +105,15 @@ namespace seiche
   GridParameters<dim>::add_wall_parameters(dealii::ParameterHandler &prm)
   {
     const dealii::Patterns::Anything anything;
-    const auto side_entry = [this](const unsigned int id) {
-      return walls[id].path().substr(std::string("Walls/").size());
-    };
     prm.enter_subsection("Walls");
     for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry(id),
+      prm.add_parameter(walls[id].side_entry(),
                         walls_text[id].condition,
                         conditions(/*of_obstacle=*/false).second,
                         dealii::Patterns::Selection(
                           conditions(/*of_obstacle=*/false).first));
     for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry(id) + " displacement",
+      prm.add_parameter(walls[id].side_entry() + " displacement",
                         walls[id].displacement,
                         "Motion of the wall along its normal, as of a piston: "
                         "an expression of t, positive along the coordinate, 0 "
@@ -130,7 +127,7 @@ namespace seiche
                       "condition unilateral.",
                       dealii::Patterns::Selection("sticking|unilateral"));
     for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry(id) + " velocity",
+      prm.add_parameter(walls[id].side_entry() + " velocity",
                         walls[id].velocity,
                         "Velocity of a no-slip wall along itself, as of a lid "
                         "or a belt: one expression of x, y[, z], t per "
@@ -138,7 +135,7 @@ namespace seiche
                         "[m/s]",
                         anything);
     for (unsigned int id = 0; id < 2 * dim; ++id)
-      prm.add_parameter(side_entry(id) + " friction",
+      prm.add_parameter(walls[id].side_entry() + " friction",
                         walls[id].friction,
                         friction_text,
                         dealii::Patterns::Double(0.));

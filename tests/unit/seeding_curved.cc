@@ -51,7 +51,7 @@ namespace
           continue;
         const auto level = [&](const unsigned int v) {
           return fill.surface().level_set().local_element(occupancy.cell_nodes(
-            cell)[vertex_node<dim>(occupancy.fe.degree, v)]);
+            cell)[seiche::vertex_node<dim>(occupancy.fe.degree, v)]);
         };
         for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
           for (unsigned int d = 0; d < dim; ++d)

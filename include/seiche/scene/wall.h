@@ -59,18 +59,29 @@ namespace seiche
       return dealii::BoundingBox<dim>({lower_corner, upper_corner});
     }
 
+    /// Entry of a side in subsection "Walls": its name with a capital letter.
+    std::string
+    side_entry() const
+    {
+      return capital(name);
+    }
+
     /// Path of one of its entries (velocity, friction, displacement, lower
     /// corner, ...), or of the condition of a side.
     std::string
-    path(std::string entry = "") const
+    path(const std::string &entry = "") const
     {
-      const auto capital = [](std::string word) {
-        word[0] = std::toupper(word[0]);
-        return word;
-      };
-      return is_side() ?
-               "Walls/" + capital(name) + (entry.empty() ? "" : " " + entry) :
-               "Obstacle " + name + "/" + capital(entry);
+      if (!is_side())
+        return "Obstacle " + name + "/" + capital(entry);
+      return "Walls/" + side_entry() + (entry.empty() ? "" : " " + entry);
+    }
+
+  private:
+    static std::string
+    capital(std::string word)
+    {
+      word[0] = std::toupper(word[0]);
+      return word;
     }
   };
 } // namespace seiche
