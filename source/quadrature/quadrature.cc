@@ -42,9 +42,7 @@ namespace seiche
         return {};
       const double *volume = points.data(PointColumn::initial_volume);
       const double *J_p    = points.data(PointColumn::volume_ratio);
-      const auto    begin  = points.first_point(cell),
-                 end       = points.first_point(cell + 1);
-      const auto unit      = [&](const std::size_t p) {
+      const auto    unit   = [&](const std::size_t p) {
         return points.locator.geometry(cell).to_unit(points.position(p));
       };
       LinearRatio<dim> J;
@@ -52,7 +50,7 @@ namespace seiche
       double           sum = 0., total = 0.;
       J.least   = std::numeric_limits<double>::max();
       J.largest = 0.;
-      for (std::size_t p = begin; p < end; ++p)
+      for (const std::size_t p : points.points_in(cell))
         {
           total += volume[p];
           sum += volume[p] * J_p[p];
@@ -67,7 +65,7 @@ namespace seiche
 
       Tensor<2, dim> moment;
       Tensor<1, dim> product;
-      for (std::size_t p = begin; p < end; ++p)
+      for (const std::size_t p : points.points_in(cell))
         {
           const Tensor<1, dim> arm    = unit(p) - J.center;
           const double         weight = volume[p] / total;
@@ -133,7 +131,7 @@ namespace seiche
         const bool    is_all = !materials.is_mixed(cell);
         const auto    first  = points.first_point(cell);
         bool          begun  = false;
-        for (std::size_t p = first; p < points.first_point(cell + 1); ++p)
+        for (const std::size_t p : points.points_in(cell))
           if (const double weight = share(p - first);
               weight > 0. &&
               (is_all || &materials.of_point(points, p) == &material))

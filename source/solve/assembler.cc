@@ -144,18 +144,9 @@ namespace seiche
                           BlockVector           &sums) const
   {
     const auto nodes = occupancy.template unknowns<degree>(cell);
-    for (unsigned int i = 0; i < dim; ++i)
-      {
-        nodes.condense(data.residual_u[i]);
-        for (unsigned int a = 0; a < data.n_nodes; ++a)
-          sums.block(0).local_element(dim * nodes[a] + i) +=
-            data.residual_u[i][a];
-      }
-    if (!formulation.has_pressure())
-      return;
-    nodes.condense(data.residual_p);
-    for (unsigned int a = 0; a < data.n_nodes; ++a)
-      sums.block(1).local_element(nodes[a]) += data.residual_p[a];
+    nodes.add(data.residual_u, sums.block(0).begin());
+    if (formulation.has_pressure())
+      nodes.add(data.residual_p, sums.block(1).begin());
   }
 
   template <int dim>

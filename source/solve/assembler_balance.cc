@@ -31,7 +31,7 @@ namespace seiche
       [&](const unsigned int q, const unsigned int, const Material &) {
         const auto unit = data.quadrature.template point<Lanes>(q);
         point.reinit_values(unit);
-        point.reinit_weights(unit);
+        point.add_weights(unit);
         const Lanes           mass = load<Lanes>(&data.quadrature.mass[q]);
         const auto            u    = point.value(data.displacement);
         Tensor<1, dim, Lanes> acceleration = at_point(data.acceleration),

@@ -146,7 +146,7 @@ namespace seiche
       [&](const unsigned int q, const unsigned int, const Material &) {
         const auto unit = points.template point<Lanes>(q);
         point.reinit_values(unit);
-        point.reinit_weights(unit);
+        point.add_weights(unit);
         const Lanes volume = load<Lanes>(&points.volume[q]);
         for (unsigned int a = 0; a < point.n_nodes; ++a)
           weights[a] +=

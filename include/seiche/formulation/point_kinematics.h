@@ -40,8 +40,7 @@ namespace seiche
     {
       const auto unit = cell.quadrature.template point<Lanes>(q);
       this->reinit(cell.geometry, unit);
-      if constexpr (degree > 1)
-        this->reinit_weights(unit);
+      this->add_weights(unit);
       const dealii::Tensor<2, dim, Lanes> H     = gradient(cell.displacement);
       const double                        theta = cell.coefficients.theta;
 

@@ -61,14 +61,21 @@ namespace seiche
         }
     }
 
-    /// The weights of weight() only.
+    /// The weights of weight() beside the values, which are there already.
     void
-    reinit_weights(const dealii::Point<dim, Number> &unit)
+    add_weights(const dealii::Point<dim, Number> &unit)
     {
       if constexpr (degree > 1)
         Shape::bilinear_weights(unit, bilinear);
-      else
+    }
+
+    /// The weights only.
+    void
+    reinit_weights(const dealii::Point<dim, Number> &unit)
+    {
+      if constexpr (degree == 1)
         reinit_values(unit);
+      add_weights(unit);
     }
 
     /// Share of node a in a lumped mass: positive, as N of FE_Q(1) is.
