@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/formulation/displacement.h>
-#include <seiche/formulation/displacement_pressure_vms.h>
 #include <seiche/formulation/formulation.h>
 #include <seiche/parameters/input_file.h>
 
@@ -16,25 +14,20 @@ namespace seiche
     struct FormulationEntry
     {
       const char *name;
-      std::unique_ptr<Formulation<dim>> (*make)(const VolumeLaw &,
-                                                const FormulationParameters &);
+      Formulation<dim> (*make)(const FormulationParameters &,
+                               const FreeSurfaceParameters &,
+                               const VolumeLaw &,
+                               const VolumeFactors &);
       const char *description;
     };
-
-    template <int dim, typename Type>
-    std::unique_ptr<Formulation<dim>>
-    make(const VolumeLaw &volume_law, const FormulationParameters &parameters)
-    {
-      return std::make_unique<Type>(volume_law, parameters);
-    }
 
     template <int dim>
     constexpr std::array<FormulationEntry<dim>, 2> formulation_table = {
       {{"displacement-pressure",
-        make<dim, DisplacementPressureVMS<dim>>,
+        make_displacement_pressure<dim>,
         "mixed, with subscales"},
        {"displacement",
-        make<dim, Displacement<dim>>,
+        make_displacement<dim>,
         "irreducible, pressure from the bulk modulus"}}};
   } // namespace
 
@@ -80,20 +73,41 @@ namespace seiche
   }
 
   template <int dim>
-  std::unique_ptr<Formulation<dim>>
+  void
+  Formulation<dim>::update_points(PointCloud<dim> &points,
+                                  const bool       volume_from_pressure) const
+  {
+    double *ratio    = points.data(PointColumn::volume_ratio);
+    double *pressure = points.data(PointColumn::pressure);
+    if (!has_pressure())
+      for (std::size_t p = 0; p < points.size(); ++p)
+        pressure[p] = -volume_law.bulk_modulus * volume_law.strain(ratio[p]);
+    else if (volume_from_pressure)
+      for (std::size_t p = 0; p < points.size(); ++p)
+        ratio[p] = volume_law.ratio(-pressure[p] / volume_law.bulk_modulus);
+  }
+
+  template <int dim>
+  Formulation<dim>
   make_formulation(const FormulationParameters &parameters,
-                   const VolumeLaw             &volume_law)
+                   const FreeSurfaceParameters &free_surface,
+                   const VolumeLaw             &volume_law,
+                   const VolumeFactors         &factors)
   {
     for (const auto &entry : formulation_table<dim>)
       if (parameters.name == entry.name)
-        return entry.make(volume_law, parameters);
+        return entry.make(parameters, free_surface, volume_law, factors);
     AssertThrow(false, ExcInternalError()); // the pattern refuses other names
-    return nullptr;
+    return {};
   }
 
-#define INSTANTIATE(dim)                                            \
-  template std::unique_ptr<Formulation<dim>> make_formulation<dim>( \
-    const FormulationParameters &, const VolumeLaw &);
+#define INSTANTIATE(dim)                           \
+  template struct Formulation<dim>;                \
+  template Formulation<dim> make_formulation<dim>( \
+    const FormulationParameters &,                 \
+    const FreeSurfaceParameters &,                 \
+    const VolumeLaw &,                             \
+    const VolumeFactors &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

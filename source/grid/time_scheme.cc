@@ -50,6 +50,12 @@ namespace seiche
         return c;
       }
 
+      VolumeFactors
+      volume_factors() const override
+      {
+        return {};
+      }
+
       bool
       needs_acceleration() const override
       {
@@ -134,7 +140,7 @@ namespace seiche
                           const bool   second_order_pressure,
                           const bool   elastic_at_end)
         : theta(1. / (1. + rho_infinity))
-        , jerk_factor(second_order_pressure ? 1. / 12. : 0.)
+        , jerk(second_order_pressure ? 1. / 12. : 0.)
         , elastic_time(elastic_at_end ? 1. : theta)
       {}
 
@@ -146,11 +152,13 @@ namespace seiche
         c.theta   = theta;
         c.inertia = 1. / (theta * dt * dt);
         c.rate    = 1. / dt;
-
-        c.start_divergence = 0.5 - theta;
-        c.jerk_constraint  = jerk_factor * dt * dt * dt;
-        c.elastic_time     = elastic_time;
         return c;
+      }
+
+      VolumeFactors
+      volume_factors() const override
+      {
+        return {/*start_divergence=*/0.5 - theta, jerk, elastic_time};
       }
 
       bool
@@ -203,7 +211,7 @@ namespace seiche
       }
 
     private:
-      const double theta, jerk_factor, elastic_time;
+      const double theta, jerk, elastic_time;
     };
 
     /// One row of the table of schemes.

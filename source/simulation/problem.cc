@@ -44,8 +44,10 @@ namespace seiche
     , locator(grid)
     , time_scheme(make_time_scheme<dim>(scene.time_scheme,
                                         scene.fluid.is_incompressible()))
-    , formulation(
-        make_formulation<dim>(scene.formulation, scene.fluid.volume_law))
+    , formulation(make_formulation<dim>(scene.formulation,
+                                        scene.free_surface,
+                                        scene.fluid.volume_law,
+                                        time_scheme->volume_factors()))
     , points(locator, point_columns(), communicator)
     , seeding(fill_points(planned.bodies, start))
     , mesh_adaptation(grid, locator, points, scene.quadrature.has_surface())
@@ -64,11 +66,8 @@ namespace seiche
     , wall_friction(occupancy, row_mass)
     , wall_contact(wall_conditions, occupancy, row_mass, body_force, materials)
     , quadrature(make_quadrature(points, fill, materials, volume_ratio(scene)))
-    , matrix(occupancy, formulation->has_pressure())
-    , assembler({*formulation, materials, body_force, scene.free_surface},
-                *quadrature,
-                fill,
-                timer)
+    , matrix(occupancy, formulation.has_pressure())
+    , assembler(formulation, materials, body_force, *quadrature, fill, timer)
   {}
 
   template <int dim>
@@ -155,9 +154,7 @@ namespace seiche
   Problem<dim>::points_to_grid(GridState<dim> &state) const
   {
     const TimerTree::Scope scope(timer, "points to grid");
-    state.reinit(occupancy,
-                 formulation->has_pressure(),
-                 carries_acceleration());
+    state.reinit(occupancy, formulation.has_pressure(), carries_acceleration());
     transfer.points_to_grid(points, state);
   }
 
@@ -165,9 +162,9 @@ namespace seiche
   void
   Problem<dim>::update_points()
   {
-    formulation->update_points(points,
-                               scene.volume_update() ==
-                                 VolumeUpdate::from_the_pressure);
+    formulation.update_points(points,
+                              scene.volume_update() ==
+                                VolumeUpdate::from_the_pressure);
   }
 
   template <int dim>

@@ -168,7 +168,7 @@ namespace seiche
     unknowns_max =
       std::max<std::uint64_t>(unknowns_max,
                               occupancy.n_global_nodes() *
-                                (dim + problem.formulation->has_pressure()));
+                                (dim + problem.formulation.has_pressure()));
   }
 
   template <int dim>

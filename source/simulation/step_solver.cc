@@ -37,7 +37,7 @@ namespace seiche
     : problem(run_problem)
     , report(run_report)
     , timer(run_timer)
-    , has_pressure(problem.formulation->has_pressure())
+    , has_pressure(problem.formulation.has_pressure())
     , measures_forces(problem.scene.postprocessors.measure_forces())
     , linear_solver(problem.scene.linear_solver, timer)
     , system{problem.assembler, problem.matrix, linear_solver}
@@ -60,9 +60,7 @@ namespace seiche
     problem.wall_conditions.set_start_velocity(state);
     bool converged = true;
     if (has_pressure)
-      converged = velocity_projection
-                    .apply(state, problem.time_scheme->coefficients(state.dt))
-                    .converged;
+      converged = velocity_projection.apply(state).converged;
     converged =
       converged && velocity_projection.consistent_start(state).converged;
     if (!converged)
@@ -137,7 +135,6 @@ namespace seiche
     const TimerTree::Scope scope(timer, "velocity projection");
     const LinearResult     result =
       velocity_projection.apply(state,
-                                problem.time_scheme->coefficients(state.dt),
                                 problem.wall_contact.any() || measures_forces);
     last.krylov_iterations += result.iterations;
     if (!result.is_usable(VelocityProjection<dim>::usable_reduction))
@@ -184,7 +181,8 @@ namespace seiche
     scheme.offsets(state, state.dt, inertia_offset, rate_offset);
     problem.wall_conditions.set_displacement(state, step, rate_offset);
     problem.wall_contact.begin_iteration(step, rate_offset);
-    problem.assembler.begin(step, state, inertia_offset, rate_offset);
+    problem.assembler.begin(
+      *problem.formulation.step, step, state, inertia_offset, rate_offset);
   }
 
   template <int dim>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/formulation/point_inertia.h>
 #include <seiche/solve/assembler.h>
 #include <seiche/utilities/injected_fault.h>
 
@@ -10,28 +9,33 @@ namespace seiche
   using namespace dealii;
 
   template <int dim>
-  Assembler<dim>::Assembler(const WeakForm<dim>   &weak_form,
-                            const Quadrature<dim> &rule,
-                            const Fill<dim>       &grid_fill,
-                            TimerTree             &timer_tree)
-    : formulation(weak_form.formulation)
-    , materials(weak_form.materials)
-    , free_surface(weak_form.free_surface)
+  Assembler<dim>::Assembler(const Formulation<dim>   &equations,
+                            const CellMaterials<dim> &cell_materials,
+                            const BodyForce<dim>     &force,
+                            const Quadrature<dim>    &rule,
+                            const Fill<dim>          &grid_fill,
+                            TimerTree                &timer_tree)
+    : formulation(equations)
+    , materials(cell_materials)
     , quadrature(rule)
     , fill(grid_fill)
     , occupancy(grid_fill.occupancy)
-    , body_force(weak_form.body_force)
+    , body_force(force)
     , timer(timer_tree)
-    , tau_is_uniform(formulation.stabilization.tau_is_uniform)
+    , weak_form(formulation.step.get())
+    , needs_start_speed(formulation.has_pressure() &&
+                        !formulation.subscales->tau_is_uniform)
   {}
 
   template <int dim>
   void
-  Assembler<dim>::begin(const StepCoefficients &coefficients,
+  Assembler<dim>::begin(const WeakForm<dim>    &form,
+                        const StepCoefficients &coefficients,
                         const GridState<dim>   &state,
                         const Vector           &acceleration_offset,
                         const Vector           &velocity_offset)
   {
+    weak_form      = &form;
     step           = coefficients;
     time           = state.time;
     inertia_offset = &acceleration_offset;
@@ -54,7 +58,7 @@ namespace seiche
                                                const AddFace &add_face)
   {
     const auto &faces = fill.ghost_faces();
-    auto face = free_surface.has_ghost_penalty() ? faces.begin() : faces.end();
+    auto        face  = weak_form->acts_on_faces ? faces.begin() : faces.end();
     std::tuple<GhostFaceMatrix<dim, 1>, GhostFaceMatrix<dim, 2>> matrices;
     for (const unsigned int cell : occupancy.occupied_cells())
       {
@@ -74,12 +78,11 @@ namespace seiche
               auto &matrix = std::get<degree - 1>(matrices);
               matrix.evaluate(*face, occupancy);
               add_face(matrix,
-                       ghost_coefficients(free_surface,
-                                          *face,
-                                          matrix.h,
-                                          density(*face),
-                                          ghost_tau(*face, size, degree),
-                                          step.damping));
+                       weak_form->ghost_coefficients(
+                         {matrix.h,
+                          density(*face),
+                          ghost_tau(*face, size, degree),
+                          face->fragment}));
             };
             with_degree(std::max(occupancy.degree(face->lower),
                                  occupancy.degree(face->upper)),
@@ -123,14 +126,14 @@ namespace seiche
 
   template <int dim>
   void
-  Assembler<dim>::projected_terms(const GridState<dim> &state,
-                                  BlockVector          &sums)
+  Assembler<dim>::residual_moments(const GridState<dim> &state,
+                                   BlockVector          &sums)
   {
     sums = 0.;
     for (const unsigned int cell : occupancy.occupied_cells())
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         auto &data = this->template gather<degree>(cell, state);
-        formulation.projected_terms(data);
+        formulation.residual_moments->residual(data);
         this->template scatter<degree>(cell, data, sums);
       });
     sums.compress(VectorOperation::add);
@@ -156,8 +159,7 @@ namespace seiche
     const bool mixed    = formulation.has_pressure();
     const auto add_cell = [&](const unsigned int cell, const auto degree) {
       CellData<dim, degree> &data = this->template gather<degree>(cell, state);
-      formulation.residual(data);
-      PointInertia<dim, degree>::add_residual(data);
+      weak_form->residual(data);
       this->template scatter<degree>(cell, data, residual);
     };
     const auto add_face = [&](const auto              &face,
@@ -227,8 +229,7 @@ namespace seiche
       if (!reusable || !occupancy.locator.geometry(cell).is_congruent(last))
         {
           this->template gather<degree>(cell, state);
-          formulation.tangent(data);
-          PointInertia<dim, degree>::add_tangent(data);
+          weak_form->tangent(data);
           if (condensed)
             condense_tangent(cell, data);
           last = reusable ? data.geometry : CellGeometry<dim>();
@@ -250,9 +251,8 @@ namespace seiche
   Assembler<dim>::is_at_rest(const GridState<dim> &state) const
   {
     const Vector &u = state.displacement();
-    return formulation.has_pressure() && step.theta == 0. && !step.viscous &&
-           (!step.elastic || formulation.volume_law.is_incompressible()) &&
-           tau_is_uniform && !materials.are_several() &&
+    return weak_form == formulation.projection.get() && !needs_start_speed &&
+           !materials.are_several() &&
            std::all_of(u.begin(), u.end(), [](const double value) {
              return value == 0.;
            });
@@ -283,7 +283,7 @@ namespace seiche
   double
   Assembler<dim>::body_force_scale() const
   {
-    if (!step.body_force)
+    if (!weak_form->has_body_force)
       return 0.;
     if (body_force.is_constant())
       return body_force.constant_value().norm();
@@ -320,8 +320,10 @@ namespace seiche
                             const double       size,
                             const unsigned int degree) const
   {
+    if (!formulation.has_pressure())
+      return 0.;
     const double mu = 0.5 * (viscosity(face.lower) + viscosity(face.upper));
-    return 1. / formulation.stabilization.inverse_transient_tau(
+    return 1. / formulation.subscales->inverse_transient_tau(
                   tau_arguments(size, degree, density(face), mu, /*force=*/0.));
   }
 

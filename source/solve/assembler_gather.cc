@@ -14,14 +14,13 @@ namespace seiche
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
     data.coefficients              = step;
-    if (fill.is_cut(cell)) // there impacts gain energy by it
-      data.coefficients.jerk_constraint = 0.;
-    data.geometry       = occupancy.locator.geometry(cell);
-    data.lumped         = formulation.lumps_inertia;
-    data.density        = materials.density(cell);
-    data.viscosity      = viscosity(cell);
-    data.extent_inertia = free_surface.point_inertia * data.density *
-                          fill.extent_moment(cell) * data.geometry.measure;
+    data.geometry                  = occupancy.locator.geometry(cell);
+    data.lumped                    = formulation.lumps_inertia;
+    data.is_cut                    = fill.is_cut(cell);
+    data.density                   = materials.density(cell);
+    data.viscosity                 = viscosity(cell);
+    data.extent_inertia =
+      data.density * fill.extent_moment(cell) * data.geometry.measure;
     quadrature.get(cell, data.quadrature);
 
     const auto nodes = occupancy.template unknowns<degree>(cell);
@@ -34,7 +33,7 @@ namespace seiche
           data.acceleration[i][a] += step.inertia * data.displacement[i][a];
           data.rate_velocity[i][a] += step.rate * data.displacement[i][a];
         }
-    data.turns = step.body_force && body_force.tank.any();
+    data.turns = weak_form->has_body_force && body_force.tank.any();
     if (data.turns)
       {
         data.coriolis =
@@ -51,12 +50,15 @@ namespace seiche
     if (data.orthogonal)
       gather_projection<degree>(cell);
 
-    data.body_force_varies = step.body_force && !body_force.is_constant();
+    data.body_force_varies =
+      weak_form->has_body_force && !body_force.is_constant();
     if (!data.body_force_varies)
-      data.constant_body_force =
-        step.body_force ? body_force.constant_value() : Tensor<1, dim>();
-    if (data.body_force_varies || !tau_is_uniform)
+      data.constant_body_force = weak_form->has_body_force ?
+                                   body_force.constant_value() :
+                                   Tensor<1, dim>();
+    if (data.body_force_varies || needs_start_speed)
       gather_start_velocity<degree>(cell, state);
+    formulation.set_subscales(data);
     return data;
   }
 

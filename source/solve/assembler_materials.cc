@@ -23,7 +23,7 @@ namespace seiche
   {
     viscosities.clear();
     viscosity_everywhere = 0.;
-    if (!step.viscous)
+    if (!weak_form->has_viscosity)
       return;
     if (!materials.are_several() && materials.has_constant_viscosity())
       {
@@ -68,7 +68,7 @@ namespace seiche
   Tau
   Assembler<dim>::reference_tau(const double size, const double force) const
   {
-    return formulation.stabilization.evaluate(
+    return formulation.subscales->evaluate(
       tau_arguments(size,
                     occupancy.fe.degree,
                     materials.largest_density(),
@@ -80,7 +80,7 @@ namespace seiche
   bool
   Assembler<dim>::tau_follows_density() const
   {
-    if (!formulation.stabilization.tau_is_uniform)
+    if (!formulation.subscales->tau_is_uniform)
       return false;
     if (!materials.are_several() && viscosities.empty())
       return true;
@@ -90,12 +90,12 @@ namespace seiche
         const double density = materials.density(cell);
         const double size    = occupancy.locator.geometry(cell).size();
         const double product =
-          density * formulation.stabilization
-                      .evaluate(tau_arguments(size,
-                                              occupancy.degree(cell),
-                                              density,
-                                              viscosity(cell),
-                                              /*force=*/0.))
+          density * formulation.subscales
+                      ->evaluate(tau_arguments(size,
+                                               occupancy.degree(cell),
+                                               density,
+                                               viscosity(cell),
+                                               /*force=*/0.))
                       .momentum;
         least   = std::min(least, product);
         largest = std::max(largest, product);
@@ -112,7 +112,7 @@ namespace seiche
                                     const double  least_volume) const
   {
     std::vector<double> result;
-    if (!step.viscous || materials.are_inviscid())
+    if (!weak_form->has_viscosity || materials.are_inviscid())
       return result;
     result.resize(occupancy.n_own_nodes(), viscosity_everywhere);
     if (!viscosities.empty())

@@ -37,9 +37,10 @@ namespace seiche
     : assembler(a)
     , quadrature(rule)
     , occupancy(occupied)
-    , parameters(a.formulation.stabilization.parameters)
-    , active(a.formulation.has_pressure() && parameters.is_orthogonal())
-    , lumped(parameters.projects_lumped())
+    , active(a.formulation.residual_moments != nullptr)
+    , lumped(active && a.formulation.subscales->projects_lumped)
+    , n_updates(
+        active ? a.formulation.subscales->parameters.projection_updates : 0)
   {}
 
   template <int dim>
@@ -61,7 +62,7 @@ namespace seiche
   ResidualProjection<dim>::update(const GridState<dim> &state,
                                   const unsigned int    iteration)
   {
-    if (!active || iteration > parameters.projection_updates)
+    if (!active || iteration > n_updates)
       return false;
     project(state);
     return true;
@@ -71,7 +72,7 @@ namespace seiche
   void
   ResidualProjection<dim>::project(const GridState<dim> &state)
   {
-    assembler.projected_terms(state, sums);
+    assembler.residual_moments(state, sums);
     projected.zero_out_ghost_values();
     if (lumped)
       Diagonal<BlockVector>{inverse_diagonal}.vmult(projected, sums);

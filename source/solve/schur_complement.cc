@@ -61,7 +61,7 @@ namespace seiche
     matrix                                = &system_matrix;
     closed                                = assembler.closed_chambers();
     const StepCoefficients &c             = assembler.coefficients();
-    const Stabilization    &stabilization = assembler.formulation.stabilization;
+    const Stabilization    &stabilization = *assembler.formulation.subscales;
     const double            h             = matrix->occupancy.smallest_extent();
     viscous                               = assembler.viscous_stiffness(
       mass, least_volume * std::pow(h / matrix->occupancy.fe.degree, dim));

@@ -24,7 +24,8 @@ namespace seiche
 
   template <int dim>
   LinearResult
-  VelocityProjection<dim>::solve(GridState<dim>         &state,
+  VelocityProjection<dim>::solve(const WeakForm<dim>    &weak_form,
+                                 GridState<dim>         &state,
                                  const StepCoefficients &coefficients,
                                  const Vector           &inertia_offset,
                                  const Vector           &rate_offset,
@@ -41,7 +42,8 @@ namespace seiche
         solution.block(0).local_element(i) = 0.;
       });
     state.solution.update_ghost_values();
-    system.assembler.begin(coefficients, state, inertia_offset, rate_offset);
+    system.assembler.begin(
+      weak_form, coefficients, state, inertia_offset, rate_offset);
     BlockVector right_hand_side(state.solution), product(state.solution);
     right_hand_side.zero_out_ghost_values();
     system.assembler.residual(state, right_hand_side);
@@ -78,18 +80,14 @@ namespace seiche
 
   template <int dim>
   LinearResult
-  VelocityProjection<dim>::apply(GridState<dim>         &state,
-                                 const StepCoefficients &step,
-                                 const bool              with_reactions)
+  VelocityProjection<dim>::apply(GridState<dim> &state,
+                                 const bool      with_reactions)
   {
     const double     dt = state.dt;
     StepCoefficients c;
-    c.dt              = dt;
-    c.theta           = 0.; // linear: no derivative of the configuration
-    c.inertia         = 1. / (dt * dt);
-    c.rate            = 0.;
-    c.rate_constraint = step.start_divergence * dt * dt;
-    c.viscous = c.body_force = c.elastic = c.damping = false;
+    c.dt      = dt;
+    c.theta   = 0.; // linear: no derivative of the configuration
+    c.inertia = 1. / (dt * dt);
 
     Vector inertia_offset(state.velocity_start.get_partitioner());
     inertia_offset.equ(-1. / dt, state.velocity_start);
@@ -99,8 +97,13 @@ namespace seiche
     solution = 0.;
     solution.zero_out_ghost_values();
     solution.block(0).equ(dt, state.velocity_start);
-    const LinearResult result = solve(
-      state, c, inertia_offset, state.velocity_start, solution, tolerance);
+    const LinearResult result = solve(*system.assembler.formulation.projection,
+                                      state,
+                                      c,
+                                      inertia_offset,
+                                      state.velocity_start,
+                                      solution,
+                                      tolerance);
     if (with_reactions)
       find_reactions(state, solution);
     state.velocity_start.zero_out_ghost_values();
@@ -117,20 +120,22 @@ namespace seiche
     // shape within it negligible
     const double     dt = 1e-3 * state.dt;
     StepCoefficients c;
-    c.dt              = dt;
-    c.theta           = 0.; // linear: no derivative of the configuration
-    c.inertia         = 1. / (dt * dt);
-    c.rate            = 0.;
-    c.elastic         = false;
-    c.damping         = false;
-    c.rate_constraint = dt * dt;
+    c.dt      = dt;
+    c.theta   = 0.; // linear: no derivative of the configuration
+    c.inertia = 1. / (dt * dt);
 
     Vector zero(state.velocity_n.get_partitioner());
     zero.update_ghost_values();
     BlockVector update(state.solution);
     update = 0.;
     const LinearResult result =
-      solve(state, c, zero, state.velocity_start, update, start_tolerance);
+      solve(*system.assembler.formulation.consistent_start,
+            state,
+            c,
+            zero,
+            state.velocity_start,
+            update,
+            start_tolerance);
     state.acceleration_n.zero_out_ghost_values();
     state.acceleration_n.equ(1. / (dt * dt), update.block(0));
     state.acceleration_n.update_ghost_values();

@@ -2,7 +2,7 @@
 // The adaptive mesh: levels where the criteria ask for them, nothing changes
 // in a second pass, hanging nodes keep linear functions, ghost faces see no
 // jump in them, also across level jumps. Same output on any number of ranks.
-#include <seiche/formulation/ghost_penalty.h>
+#include <seiche/grid/ghost_face_matrix.h>
 
 #include "global_reductions.h"
 #include "problem_from_text.h"

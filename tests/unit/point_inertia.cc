@@ -2,7 +2,8 @@
 // Inertia of the points' own extent: with that of the points it is the exact
 // one of the fluid in a cell, full or not; uniform accelerations do not feel
 // it; its tangent is the residual's derivative.
-#include <seiche/formulation/point_inertia.h>
+#include <seiche/formulation/point_inertia_term.h>
+#include <seiche/formulation/term_list.h>
 
 #include <cmath>
 
@@ -86,20 +87,20 @@ namespace
   void
   check_terms()
   {
+    const auto form =
+      seiche::make_weak_form<dim>(seiche::PointInertiaTerm(/*factor=*/1.));
     seiche::CellData<dim, degree> cell;
     cell.extent_inertia       = 0.7;
     cell.coefficients.inertia = 11.;
     double uniform = 0., work = 0., expected = 0.;
-    cell.clear_residual();
     set_acceleration(cell, 0.);
-    seiche::PointInertia<dim, degree>::add_residual(cell);
+    form->residual(cell);
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int a = 0; a < cell.n_nodes; ++a)
         uniform = std::max(uniform, std::abs(cell.residual_u[i][a]));
 
-    cell.clear_residual();
     set_acceleration(cell, 0.5);
-    seiche::PointInertia<dim, degree>::add_residual(cell);
+    form->residual(cell);
     double sum = 0.;
     for (unsigned int i = 0; i < dim; ++i)
       {
@@ -113,8 +114,7 @@ namespace
       }
 
     // linear: the tangent times u, with a = C_a u, is the residual
-    cell.clear_tangent();
-    seiche::PointInertia<dim, degree>::add_tangent(cell);
+    form->tangent(cell);
     double difference = 0.;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int a = 0; a < cell.n_nodes; ++a)

@@ -1,191 +1,28 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Every tangent against central differences of its residual, block by block,
-// at random states of one cell with random quadrature points.
-#include <seiche/formulation/formulation.h>
-#include <seiche/formulation/point_inertia.h>
+// The tangent of every formulation against central differences of its residual.
+#include <seiche/formulation/momentum_subscale_term.h>
 #include <seiche/materials/power_law.h>
 
 #include <iostream>
 #include <limits>
-#include <random>
 
-using namespace seiche;
+#include "tangent_error.h"
 
 namespace
 {
-  constexpr double step = 1e-6;
-
-  std::mt19937 generator(1);
-
-  double
-  random(const double scale)
-  {
-    return scale *
-           (2. * (generator() / static_cast<double>(generator.max())) - 1.);
-  }
-
-  /// Of the density that the quadrature points have.
-  Material
-  material_of(const std::shared_ptr<ViscosityLaw> &law, const double viscosity)
-  {
-    law->scale = viscosity;
-    return {"", /*density=*/3., law};
-  }
-
-  Material
-  newtonian(const double viscosity)
-  {
-    return material_of(make_viscosity_laws().front().law, viscosity);
-  }
-
-  template <int dim, int degree>
-  void
-  fill_cell(CellData<dim, degree> &cell,
-            const Material        &material,
-            const double           theta,
-            const bool             elastic_middle,
-            const bool             lumped)
-  {
-    const double dt                   = 0.05;
-    cell.coefficients                 = StepCoefficients();
-    cell.coefficients.dt              = dt;
-    cell.coefficients.theta           = theta;
-    cell.coefficients.inertia         = 1. / (theta * dt * dt);
-    cell.coefficients.rate            = 1. / dt;
-    cell.coefficients.jerk_constraint = dt * dt * dt / 12.;
-    cell.coefficients.elastic_time    = elastic_middle ? theta : 1.;
-    cell.lumped                       = lumped;
-    cell.start_speed                  = 1.3;
-    cell.density                      = material.density;
-    cell.viscosity                    = material.law->viscosity(1.);
-    dealii::Point<dim> upper;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        upper[d]                    = 0.4 + 0.1 * d;
-        cell.constant_body_force[d] = -9.81 + d;
-      }
-    cell.geometry = {dealii::Point<dim>(), upper};
-    cell.quadrature.clear();
-    cell.quadrature.begin_part(material);
-    for (unsigned int q = 0; q < 9; ++q)
-      {
-        dealii::Point<dim> x;
-        for (unsigned int d = 0; d < dim; ++d)
-          x[d] = 0.5 + random(0.5);
-        const double volume = 0.01 * (1. + random(0.3));
-        cell.quadrature.push_back(x, 3. * volume, volume, 1. + random(0.05));
-      }
-  }
-
-  /// Unknowns: u component by component, then p.
-  template <int dim, int degree>
-  void
-  set_state(CellData<dim, degree>     &cell,
-            const std::vector<double> &x,
-            const std::vector<double> &offsets)
-  {
-    constexpr unsigned int n = CellData<dim, degree>::n_nodes;
-    const auto            &c = cell.coefficients;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int a = 0; a < n; ++a)
-        {
-          const double u           = x[i * n + a];
-          cell.displacement[i][a]  = u;
-          cell.acceleration[i][a]  = c.inertia * u + offsets[i * n + a];
-          cell.rate_velocity[i][a] = c.rate * u + 0.1 * offsets[i * n + a];
-        }
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int k = 0; k < dim; ++k)
-        for (unsigned int a = 0; a < n; ++a)
-          cell.acceleration[i][a] +=
-            cell.coriolis[i][k] * cell.rate_velocity[k][a];
-    for (unsigned int a = 0; a < n; ++a)
-      {
-        cell.pressure[a] = x[dim * n + a];
-        for (unsigned int i = 0; i < dim; ++i)
-          cell.projected_momentum[i][a] = 3. * offsets[i * n + a];
-        cell.projected_constraint[a] = 0.01 * offsets[a];
-      }
-  }
-
   template <int dim, int degree>
   double
-  residual_entry(const CellData<dim, degree> &cell, const unsigned int row)
+  step_error(const Formulation<dim> &formulation,
+             CellData<dim, degree>  &cell,
+             const double            largest_pressure = 30.,
+             const double            largest_offset   = 2.)
   {
-    constexpr unsigned int n = CellData<dim, degree>::n_nodes;
-    return row < dim * n ? cell.residual_u[row / n][row % n] :
-                           cell.residual_p[row - dim * n];
-  }
-
-  template <int dim, int degree>
-  double
-  tangent_entry(const CellData<dim, degree> &cell,
-                const unsigned int           row,
-                const unsigned int           column)
-  {
-    constexpr unsigned int n     = CellData<dim, degree>::n_nodes;
-    const bool             u_row = row < dim * n, u_column = column < dim * n;
-    const unsigned int     a = row % n, b = column % n;
-    if (u_row && u_column)
-      return cell.uu[row / n][column / n][a][b];
-    if (u_row)
-      return cell.up[row / n][a][b];
-    if (u_column)
-      return cell.pu[column / n][a][b];
-    return cell.pp[a][b];
-  }
-
-  /// Largest error of a block over the block's largest entry, over all blocks.
-  template <int dim, int degree>
-  double
-  tangent_error(const Formulation<dim> &formulation,
-                CellData<dim, degree>  &cell,
-                const double            largest_pressure = 30.,
-                const double            largest_offset   = 2.)
-  {
-    constexpr unsigned int n = CellData<dim, degree>::n_nodes;
-    const unsigned int     n_unknowns =
-      n * (formulation.has_pressure() ? dim + 1 : dim);
-    std::vector<double> x(n * (dim + 1)), offsets(n * dim);
-    for (unsigned int i = 0; i < x.size(); ++i)
-      x[i] = random(i < dim * n ? 0.02 : largest_pressure);
-    for (double &offset : offsets)
-      offset = random(largest_offset);
-
-    set_state(cell, x, offsets);
-    formulation.tangent(cell);
-    PointInertia<dim, degree>::add_tangent(cell);
-    double error[2][2] = {}, size[2][2] = {};
-    for (unsigned int column = 0; column < n_unknowns; ++column)
-      {
-        const double        h = column < dim * n ? step : 100. * step;
-        std::vector<double> differences(n_unknowns);
-        for (const double sign : {1., -1.})
-          {
-            std::vector<double> moved = x;
-            moved[column] += sign * h;
-            set_state(cell, moved, offsets);
-            formulation.residual(cell);
-            PointInertia<dim, degree>::add_residual(cell);
-            for (unsigned int row = 0; row < n_unknowns; ++row)
-              differences[row] += sign * residual_entry(cell, row) / (2. * h);
-          }
-        for (unsigned int row = 0; row < n_unknowns; ++row)
-          {
-            double &e = error[row >= dim * n][column >= dim * n];
-            double &s = size[row >= dim * n][column >= dim * n];
-            e         = std::max(e,
-                         std::abs(differences[row] -
-                                  tangent_entry(cell, row, column)));
-            s         = std::max(s, std::abs(differences[row]));
-          }
-      }
-    double worst = 0.;
-    for (unsigned int r = 0; r < 2; ++r)
-      for (unsigned int c = 0; c < 2; ++c)
-        if (size[r][c] > 0.)
-          worst = std::max(worst, error[r][c] / size[r][c]);
-    return worst;
+    formulation.set_subscales(cell);
+    return tangent_error(*formulation.step,
+                         formulation.has_pressure(),
+                         cell,
+                         largest_pressure,
+                         largest_offset);
   }
 
   /// Over viscosities, moduli, schemes, mass matrices and volume laws; the
@@ -206,10 +43,13 @@ namespace
               if (!parameters.is_mixed() && std::isinf(kappa))
                 continue;
               const auto formulation =
-                make_formulation<dim>(parameters, {kappa, logarithmic});
-              fill_cell(cell, material, theta, logarithmic, lumped);
+                make_formulation<dim>(parameters,
+                                      FreeSurfaceParameters(),
+                                      {kappa, logarithmic},
+                                      volume_factors(logarithmic ? theta : 1.));
+              fill_cell(cell, material, theta, lumped);
               cell.orthogonal    = parameters.stabilization.is_orthogonal();
-              const double error = tangent_error(*formulation, cell);
+              const double error = step_error(formulation, cell);
               if (error < 1e-6)
                 ++n_exact;
               else
@@ -270,10 +110,12 @@ namespace
                   parameters.stabilization.stabilization     = stabilization;
                   parameters.stabilization.subscale_residual = residual;
                   const auto formulation =
-                    make_formulation<dim>(parameters, {/*bulk_modulus=*/50.});
+                    make_formulation<dim>(parameters,
+                                          FreeSurfaceParameters(),
+                                          {/*bulk_modulus=*/50.},
+                                          volume_factors());
                   CellData<dim, degree> cell;
-                  fill_cell(
-                    cell, material, theta, /*elastic_middle=*/false, lumped);
+                  fill_cell(cell, material, theta, lumped);
                   cell.orthogonal = parameters.stabilization.is_orthogonal();
                   cell.extent_inertia = 0.02;
                   cell.turns          = true;
@@ -284,7 +126,7 @@ namespace
                         cell.coriolis[k][i] = -cell.coriolis[i][k];
                       }
                   ++n_all;
-                  const double error = tangent_error(*formulation, cell);
+                  const double error = step_error(formulation, cell);
                   if (error < 1e-6)
                     ++n_exact;
                   else
@@ -307,23 +149,23 @@ namespace
     fill_cell(cell,
               inviscid,
               /*theta=*/0.5,
-              /*elastic_middle=*/false,
               /*lumped=*/false);
-    const StepCoefficients &c = cell.coefficients;
-    const double limit = negligible_viscosity * inviscid.density * c.inertia /
-                         c.rate *
+    const StepCoefficients &c     = cell.coefficients;
+    const double            limit = ViscousTerm::negligible * inviscid.density *
+                         c.inertia / c.rate *
                          std::pow(cell.geometry.shortest_edge() / degree, 2);
     for (const double share : {0.99, 1.01})
       {
-        const auto formulation =
-          make_formulation<dim>(FormulationParameters(), VolumeLaw());
+        const auto formulation = make_formulation<dim>(FormulationParameters(),
+                                                       FreeSurfaceParameters(),
+                                                       VolumeLaw(),
+                                                       volume_factors());
         const Material hardly_viscous = newtonian(share * limit);
         fill_cell(cell,
                   hardly_viscous,
                   /*theta=*/0.5,
-                  /*elastic_middle=*/false,
                   /*lumped=*/false);
-        const double error = tangent_error(*formulation, cell);
+        const double error = step_error(formulation, cell);
         std::cout << dim << "D Q" << degree << " viscosity " << share
                   << " of the limit: "
                   << (error < 1e-6 ? "exact" :
@@ -346,7 +188,10 @@ namespace
             FormulationParameters parameters;
             parameters.name = name;
             const auto formulation =
-              make_formulation<dim>(parameters, {/*bulk_modulus=*/50.});
+              make_formulation<dim>(parameters,
+                                    FreeSurfaceParameters(),
+                                    {/*bulk_modulus=*/50.},
+                                    volume_factors());
             const Material material =
               material_of(std::make_shared<PowerLaw>(flow_index, 0.1),
                           /*viscosity=*/0.7);
@@ -354,10 +199,9 @@ namespace
             fill_cell(cell,
                       material,
                       theta,
-                      /*elastic_middle=*/false,
                       /*lumped=*/false);
             ++n_all;
-            const double error = tangent_error(*formulation, cell);
+            const double error = step_error(formulation, cell);
             if (error < 1e-6)
               ++n_exact;
             else
@@ -379,19 +223,21 @@ namespace
     fill_cell(cell,
               inviscid,
               /*theta=*/0.5,
-              /*elastic_middle=*/false,
               /*lumped=*/false);
     cell.orthogonal = true;
     FormulationParameters parameters;
     parameters.stabilization.stabilization = "split OSGS";
-    const auto   formulation = make_formulation<dim>(parameters, VolumeLaw());
+    const auto formulation                 = make_formulation<dim>(parameters,
+                                                   FreeSurfaceParameters(),
+                                                   VolumeLaw(),
+                                                   volume_factors());
+    formulation.set_subscales(cell);
     const double limit =
-      formulation->negligible_force(cell, formulation->tau(cell)) *
-      cell.geometry.shortest_edge();
+      cell.geometry.shortest_edge() / MomentumSubscaleTerm::turn_by_force(cell);
     for (const double share : {0.05, 50.})
       {
         const double error =
-          tangent_error(*formulation, cell, share * limit, /*offset=*/0.);
+          step_error(formulation, cell, share * limit, /*offset=*/0.);
         std::cout << dim << "D Q" << degree << " force " << share
                   << " of the limit: "
                   << (error < 1e-6 ? "exact" :

@@ -2,7 +2,7 @@
 #ifndef seiche_formulation_cell_data_h
 #define seiche_formulation_cell_data_h
 
-#include <seiche/grid/time_scheme.h>
+#include <seiche/formulation/stabilization.h>
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/space/point_batch.h>
 
@@ -32,11 +32,12 @@ namespace seiche
     StepCoefficients  coefficients;
     CellGeometry<dim> geometry;
     bool              lumped      = false; ///< inertia at the nodes
+    bool              is_cut      = false; ///< by the free surface
     double            start_speed = 0.;    ///< |v_0| at the centre [m/s]
     double            density = 0.; ///< mean of the cell's materials [kg/m^3]
     double viscosity      = 0.; ///< their mean at the start of the step [Pa s]
     double extent_inertia = 0.; ///< of the points' own extent [kg], see
-                                ///< formulation/point_inertia.h
+                                ///< formulation/point_inertia_term.h
     CellQuadrature<dim> quadrature;
 
     alignas(64) NodalVector displacement;  ///< u [m]
@@ -44,6 +45,11 @@ namespace seiche
                                            ///< Coriolis acceleration [m/s^2]
     alignas(64) NodalVector rate_velocity; ///< c_r u + offset [m/s]
     alignas(64) NodalScalar pressure;      ///< p [Pa], mixed form only
+
+    /// Frozen during Newton's iteration; zero without subscales.
+    Tau tau;
+    /// What r has beside the pressure gradient, with subscales.
+    ResidualParts residual_parts;
 
     /// Orthogonal subscales: nodal projections of the momentum residual
     /// [N/m^dim] and of the constraint [-].
@@ -77,6 +83,21 @@ namespace seiche
       return coefficients.rate / coefficients.inertia * coriolis;
     }
 
+    /// f(i, k, share) for the entries of coriolis_over_inertia() that are not
+    /// zero in every frame.
+    template <typename Function>
+    void
+    for_each_coriolis_share(const Function &f) const
+    {
+      if (!turns)
+        return;
+      const dealii::Tensor<2, dim> shares = coriolis_over_inertia();
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int k = 0; k < dim; ++k)
+          if (i != k)
+            f(i, k, shares[i][k]);
+    }
+
     /// At the point q, or at as many as a Number has.
     template <typename Number = double>
     dealii::Tensor<1, dim, Number>
@@ -99,13 +120,6 @@ namespace seiche
       for (unsigned int q = 0; q < quadrature.size; ++q)
         square = std::max(square, body_force_at(q).norm_square());
       return std::sqrt(square);
-    }
-
-    void
-    clear_residual()
-    {
-      std::memset(residual_u, 0, sizeof(residual_u));
-      std::memset(residual_p, 0, sizeof(residual_p));
     }
 
     void

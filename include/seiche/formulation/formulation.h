@@ -2,11 +2,10 @@
 #ifndef seiche_formulation_formulation_h
 #define seiche_formulation_formulation_h
 
-#include <seiche/formulation/cell_data.h>
-#include <seiche/formulation/stabilization.h>
+#include <seiche/formulation/free_surface_parameters.h>
+#include <seiche/formulation/weak_form.h>
 #include <seiche/materials/volume_law.h>
 
-#include <cmath>
 #include <memory>
 #include <string>
 
@@ -38,123 +37,86 @@ namespace seiche
     }
   };
 
-  /// Ratio of viscous forces to inertia in a cell, mu c_r/(rho C_a h^2), below
-  /// which the tangent leaves viscous terms out (doc/theory.md (10.3)).
-  constexpr double negligible_viscosity = 1e-4;
-
-  /// Ratio of the subscale's share in a point's displacement to the cell,
-  /// theta tau1 |r|/h, below which the tangent leaves out that the gradients in
-  /// the subscale's term turn with u (the same).
-  constexpr double negligible_turn = 0.005;
-
   /**
-   * @brief A weak form: residual and tangent of one cell.
-   *
-   * One virtual call a cell, for each element degree; the loops over
-   * quadrature points and nodes are inside. Equations: doc/theory.md (4.1) to
-   * (4.7); tangents (4.7a) to (4.7e).
+   * @brief The equations of a scene as sums of terms, one for each system that
+   * a step solves (doc/theory.md, sections 3 and 4).
    */
   template <int dim>
-  class Formulation
+  struct Formulation
   {
-  public:
-    Formulation(const VolumeLaw &law, const FormulationParameters &parameters)
-      : volume_law(law)
-      , stabilization(parameters.stabilization)
-      , lumps_inertia(parameters.lumps_inertia())
-    {}
+    VolumeLaw volume_law; ///< of all materials
+    bool      lumps_inertia = false;
 
-    virtual ~Formulation() = default;
+    /// Null where the pressure is no unknown.
+    std::shared_ptr<const Stabilization> subscales;
+
+    std::shared_ptr<const WeakForm<dim>> step;
+    /// Of the start velocity; null where the pressure is no unknown.
+    std::shared_ptr<const WeakForm<dim>> projection;
+    std::shared_ptr<const WeakForm<dim>> consistent_start;
+    /// What orthogonal subscales project, as a residual; null without them.
+    std::shared_ptr<const WeakForm<dim>> residual_moments;
 
     /// True if the pressure is an unknown.
-    virtual bool
-    has_pressure() const = 0;
-
-    /// Add to residual_u (and residual_p) of the cell; clears them first.
-    virtual void
-    residual(CellData<dim, 1> &cell) const = 0;
-    virtual void
-    residual(CellData<dim, 2> &cell) const = 0;
-
-    /// The blocks uu (up, pu, pp): derivative of residual(); clears first.
-    virtual void
-    tangent(CellData<dim, 1> &cell) const = 0;
-    virtual void
-    tangent(CellData<dim, 2> &cell) const = 0;
-
-    /// What orthogonal subscales project: sums over the quadrature points of
-    /// V r N (residual_u [N]) and V g N (residual_p [m^dim]). Only of
-    /// formulations with subscales.
-    virtual void
-    projected_terms(CellData<dim, 1> &cell) const
+    bool
+    has_pressure() const
     {
-      (void)cell;
-      AssertThrow(false, dealii::ExcNotImplemented());
+      return subscales != nullptr;
     }
-    virtual void
-    projected_terms(CellData<dim, 2> &cell) const
+
+    /// The cell's stabilization parameters, from what else it has.
+    template <int degree>
+    void
+    set_subscales(CellData<dim, degree> &cell) const
     {
-      (void)cell;
-      AssertThrow(false, dealii::ExcNotImplemented());
+      if (!has_pressure())
+        return;
+      cell.tau            = subscales->evaluate({cell.coefficients,
+                                                 cell.density,
+                                                 volume_law.bulk_modulus,
+                                                 cell.viscosity,
+                                                 cell.geometry.size(),
+                                                 degree,
+                                                 cell.start_speed,
+                                                 cell.largest_body_force()});
+      cell.residual_parts = subscales->residual_parts(cell.orthogonal);
     }
 
     /// Columns of the points that others define: the pressure by the volume
     /// ratio, where it is no unknown; else the volume ratio by the pressure, if
     /// @p volume_from_pressure. Local.
-    virtual void
+    void
     update_points(PointCloud<dim> &points,
-                  const bool       volume_from_pressure) const = 0;
-
-    /// True if the tangent has viscous terms: not where they are so small
-    /// beside inertia that Newton's iteration does not miss them
-    /// (doc/theory.md (10.3)).
-    template <int degree>
-    static bool
-    tangent_is_viscous(const CellData<dim, degree> &cell)
-    {
-      const StepCoefficients &step = cell.coefficients;
-      const double            h    = cell.geometry.shortest_edge() / degree;
-      return cell.viscosity > 0. &&
-             cell.viscosity * step.rate >=
-               negligible_viscosity * cell.density * step.inertia * h * h;
-    }
-
-    /// [N/m^dim] Pressure gradients and momentum residuals up to here turn
-    /// with u without any need for the tangent to know (doc/theory.md
-    /// (10.3)).
-    template <int degree>
-    double
-    negligible_force(const CellData<dim, degree> &cell, const Tau &tau) const
-    {
-      return negligible_turn * cell.geometry.shortest_edge() /
-             (degree * cell.coefficients.theta * tau.momentum);
-    }
-
-    /// tau of a cell from its size, mean velocity and body force.
-    template <int degree>
-    Tau
-    tau(const CellData<dim, degree> &cell) const
-    {
-      return stabilization.evaluate({cell.coefficients,
-                                     cell.density,
-                                     volume_law.bulk_modulus,
-                                     cell.viscosity,
-                                     cell.geometry.size(),
-                                     degree,
-                                     cell.start_speed,
-                                     cell.largest_body_force()});
-    }
-
-    const VolumeLaw     volume_law; ///< of all materials
-    const Stabilization stabilization;
-    const bool          lumps_inertia; ///< in all cells
+                  const bool       volume_from_pressure) const;
   };
 
-  /// The table of formulations.
+  /// A row of the table of formulations, chosen by its name.
   template <int dim>
-  std::unique_ptr<Formulation<dim>>
+  Formulation<dim>
   make_formulation(const FormulationParameters &parameters,
-                   const VolumeLaw             &volume_law);
+                   const FreeSurfaceParameters &free_surface,
+                   const VolumeLaw             &volume_law,
+                   const VolumeFactors         &factors);
+
+  /// Displacement alone, p = -kappa phi(J): doc/theory.md (4.1); founding
+  /// paper, section 4.2, with the sign of the pressure put right.
+  template <int dim>
+  Formulation<dim>
+  make_displacement(const FormulationParameters &parameters,
+                    const FreeSurfaceParameters &free_surface,
+                    const VolumeLaw             &volume_law,
+                    const VolumeFactors         &factors);
+
+  /// Equal-order pressure and algebraic subscales: doc/theory.md (4.2) to (4.4)
+  /// (Codina 2000-2008; Badia and Codina 2009). The pressure equation is
+  /// multiplied by -1 against the papers', so that its diagonal block is
+  /// positive.
+  template <int dim>
+  Formulation<dim>
+  make_displacement_pressure(const FormulationParameters &parameters,
+                             const FreeSurfaceParameters &free_surface,
+                             const VolumeLaw             &volume_law,
+                             const VolumeFactors         &factors);
 } // namespace seiche
 
 #endif

@@ -38,8 +38,8 @@ namespace seiche
   /// What the momentum's subscale sees beside the pressure gradient.
   struct ResidualParts
   {
-    bool force   = true; ///< body force and viscous force
-    bool inertia = true;
+    bool force   = false; ///< body force and viscous force
+    bool inertia = false;
   };
 
   /**

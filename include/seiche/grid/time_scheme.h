@@ -26,28 +26,24 @@ namespace seiche
    */
   struct StepCoefficients
   {
-    double dt         = 0.; ///< [s]
-    double theta      = 1.; ///< [-]
-    double inertia    = 0.; ///< [1/s^2]
-    double rate       = 0.; ///< [1/s]
-    bool   viscous    = true;
-    bool   body_force = true;
-    bool   damping    = true; ///< ghost penalty on velocity jumps
-    /// The points' volume ratio counts, in which a finite bulk modulus keeps
-    /// the pressure.
-    bool elastic = true;
-    /// [-] div v_0 = this dt tr(l l) fits the scheme: v_0 and v_1 then have the
+    double dt      = 0.; ///< [s]
+    double theta   = 1.; ///< [-]
+    double inertia = 0.; ///< [1/s^2]
+    double rate    = 0.; ///< [1/s]
+  };
+
+  /// How a scheme takes the volume constraint [-].
+  struct VolumeFactors
+  {
+    /// div v_0 = this dt tr(l l) fits the scheme: v_0 and v_1 then have the
     /// same divergence in their own configurations (doc/theory.md (3.3a)).
     double start_divergence = 0.;
-    /// [s^2] weight of -tr(l l) in the constraint, l the gradient of the rate's
-    /// velocity: projection of v_0 and consistent start only.
-    double rate_constraint = 0.;
-    /// [-] time within the step of the strain in p = -kappa phi(J):
+    /// Of -dt^3 (3 tr(l grad a) - 2 tr(l^3)) = -dt^3 div(D^2v/Dt^2) in the
+    /// constraint: v_1 then has no divergence (doc/theory.md (3.3)).
+    double jerk = 0.;
+    /// Time within the step of the strain in p = -kappa phi(J):
     /// J = J_n (1 + elastic_time (det f - 1)); 1 for infinite kappa.
     double elastic_time = 1.;
-    /// [s^3] weight of -(3 tr(l grad a) - 2 tr(l^3)) = -div(D^2 v/Dt^2) in the
-    /// constraint: v_1 then has no divergence (doc/theory.md (3.3)).
-    double jerk_constraint = 0.;
   };
 
   /// prm entries that choose and tune the scheme (subsection "Time").
@@ -80,6 +76,9 @@ namespace seiche
 
     virtual StepCoefficients
     coefficients(const double dt) const = 0;
+
+    virtual VolumeFactors
+    volume_factors() const = 0;
 
     /// True if points carry an acceleration from step to step.
     virtual bool

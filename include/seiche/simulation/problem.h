@@ -92,8 +92,8 @@ namespace seiche
     BackgroundGrid<dim>   grid;
     CellLocator<dim>      locator;
 
-    const std::unique_ptr<const TimeScheme<dim>>  time_scheme;
-    const std::unique_ptr<const Formulation<dim>> formulation;
+    const std::unique_ptr<const TimeScheme<dim>> time_scheme;
+    const Formulation<dim>                       formulation;
 
     PointCloud<dim>     points;
     SeedingResult       seeding;

@@ -3,7 +3,7 @@
 #define seiche_simulation_scene_h
 
 #include <seiche/formulation/formulation.h>
-#include <seiche/formulation/ghost_penalty.h>
+#include <seiche/formulation/free_surface_parameters.h>
 #include <seiche/grid/point_control.h>
 #include <seiche/grid/time_scheme.h>
 #include <seiche/materials/fluid_parameters.h>

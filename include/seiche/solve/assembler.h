@@ -2,10 +2,11 @@
 #ifndef seiche_solve_assembler_h
 #define seiche_solve_assembler_h
 
+#include <seiche/formulation/formulation.h>
 #include <seiche/quadrature/quadrature.h>
+#include <seiche/scene/body_force.h>
 #include <seiche/solve/block_matrix.h>
 #include <seiche/solve/step_balance.h>
-#include <seiche/solve/weak_form.h>
 #include <seiche/utilities/timer_tree.h>
 
 #include <tuple>
@@ -25,16 +26,19 @@ namespace seiche
     using Vector      = typename GridState<dim>::Vector;
     using BlockVector = typename GridState<dim>::BlockVector;
 
-    Assembler(const WeakForm<dim>   &weak_form,
-              const Quadrature<dim> &quadrature,
-              const Fill<dim>       &fill,
-              TimerTree             &timer);
+    Assembler(const Formulation<dim>   &formulation,
+              const CellMaterials<dim> &materials,
+              const BodyForce<dim>     &body_force,
+              const Quadrature<dim>    &quadrature,
+              const Fill<dim>          &fill,
+              TimerTree                &timer);
 
-    /// Scalars of the step, its start (time and velocity) and the nodal offsets
-    /// of acceleration and velocity (TimeScheme), which must outlive the step.
-    /// Collective.
+    /// Terms (of the formulation), scalars of the step, its start (time and
+    /// velocity) and the nodal offsets of acceleration and velocity
+    /// (TimeScheme), which must outlive the step. Collective.
     void
-    begin(const StepCoefficients &coefficients,
+    begin(const WeakForm<dim>    &weak_form,
+          const StepCoefficients &coefficients,
           const GridState<dim>   &state,
           const Vector           &inertia_offset,
           const Vector           &rate_offset);
@@ -45,9 +49,9 @@ namespace seiche
     void
     set_projection(const BlockVector *projected);
 
-    /// Formulation::projected_terms() summed over the cells. Collective.
+    /// Formulation::residual_moments summed over the cells. Collective.
     void
-    projected_terms(const GridState<dim> &state, BlockVector &sums);
+    residual_moments(const GridState<dim> &state, BlockVector &sums);
 
     /// Where the pressure is known up to a constant; null if nowhere (a finite
     /// bulk modulus, no pressure).
@@ -91,8 +95,8 @@ namespace seiche
       return viscosity_everywhere;
     }
 
-    /// tau of a cell of this size [m] under a body force [m/s^2], speed zero,
-    /// with the largest density and viscosity.
+    /// tau, with subscales, of a cell of this size [m] under a body force
+    /// [m/s^2], speed zero, with the largest density and viscosity.
     Tau
     reference_tau(const double size, const double force) const;
 
@@ -107,14 +111,12 @@ namespace seiche
     std::vector<double>
     viscous_stiffness(const Vector &mass, const double least_volume) const;
 
-    /// Largest body acceleration [m/s^2], zero if it is switched off.
-    /// Collective.
+    /// Largest body acceleration [m/s^2], zero if no term has it. Collective.
     double
     body_force_scale() const;
 
-    const Formulation<dim>      &formulation;
-    const CellMaterials<dim>    &materials;
-    const FreeSurfaceParameters &free_surface;
+    const Formulation<dim>   &formulation;
+    const CellMaterials<dim> &materials;
 
   private:
     void
@@ -221,11 +223,12 @@ namespace seiche
     const Occupancy<dim>  &occupancy;
     const BodyForce<dim>  &body_force;
     TimerTree             &timer;
+    const WeakForm<dim>   *weak_form;
     double                 time           = 0.;
     const Vector          *inertia_offset = nullptr;
     const Vector          *rate_offset    = nullptr;
     const BlockVector     *projection     = nullptr;
-    const bool             tau_is_uniform;
+    const bool             needs_start_speed; // tau does
     StepCoefficients       step;
     std::vector<double>    viscosities; // of the cells, if they differ [Pa s]
     double viscosity_everywhere = 0.;   // or the largest of them [Pa s]

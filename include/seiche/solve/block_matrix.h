@@ -3,7 +3,7 @@
 #define seiche_solve_block_matrix_h
 
 #include <seiche/formulation/cell_data.h>
-#include <seiche/formulation/ghost_penalty.h>
+#include <seiche/grid/ghost_face_matrix.h>
 #include <seiche/solve/node_pattern.h>
 
 #include <deal.II/lac/la_parallel_block_vector.h>

@@ -57,13 +57,13 @@ namespace seiche
                  const BlockVector &src,
                  BlockVector       &dst) const;
 
-    Assembler<dim>                &assembler;
-    const Quadrature<dim>         &quadrature;
-    const Occupancy<dim>          &occupancy;
-    const StabilizationParameters &parameters;
-    const bool                     active; ///< orthogonal subscales
-    const bool                     lumped; ///< mass of the projection
-    BlockVector                    projected, sums, inverse_diagonal;
+    Assembler<dim>        &assembler;
+    const Quadrature<dim> &quadrature;
+    const Occupancy<dim>  &occupancy;
+    const bool             active;    ///< orthogonal subscales
+    const bool             lumped;    ///< mass of the projection
+    const unsigned int     n_updates; ///< "Projection updates"
+    BlockVector            projected, sums, inverse_diagonal;
   };
 } // namespace seiche
 

@@ -31,15 +31,13 @@ namespace seiche
     /// help, because the system does not depend on dt.
     static constexpr double usable_reduction = 0.1;
 
-    /// state.velocity_start from state.velocity_n for a step with these
-    /// coefficients; ghosts too. The solution of the state is overwritten.
+    /// state.velocity_start from state.velocity_n; ghosts too. The solution of
+    /// the state is overwritten.
     /// @p with_reactions: also state.reaction = (impulse of the walls)/dt, from
     /// the velocity that the walls have given to what they fix.
     /// Collective.
     LinearResult
-    apply(GridState<dim>         &state,
-          const StepCoefficients &step,
-          const bool              with_reactions = false);
+    apply(GridState<dim> &state, const bool with_reactions = false);
 
     /**
      * Consistent start of schemes that carry an acceleration: a_0 and p_0
@@ -58,7 +56,8 @@ namespace seiche
     /// @p solution, until the residual has fallen by @p reduction. Components
     /// that walls fix keep their value.
     LinearResult
-    solve(GridState<dim>         &state,
+    solve(const WeakForm<dim>    &weak_form,
+          GridState<dim>         &state,
           const StepCoefficients &coefficients,
           const Vector           &inertia_offset,
           const Vector           &rate_offset,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/formulation/ghost_penalty.h>
+#include <seiche/formulation/free_surface_parameters.h>
 #include <seiche/parameters/input_file.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -57,21 +57,5 @@ namespace seiche
     input.read_only_if(velocity > 0.,
                        "Free surface/Ghost velocity time",
                        "Free surface/Ghost velocity");
-  }
-
-  GhostCoefficients
-  ghost_coefficients(const FreeSurfaceParameters &parameters,
-                     const GhostFace             &face,
-                     const double                 h,
-                     const double                 density,
-                     const double                 tau_momentum,
-                     const bool                   damping)
-  {
-    const double inertia = density * h * h * h;
-    return {parameters.acceleration * inertia,
-            damping && face.fragment ?
-              parameters.velocity * inertia / parameters.velocity_time :
-              0.,
-            parameters.pressure * tau_momentum * h};
   }
 } // namespace seiche

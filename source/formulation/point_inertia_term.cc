@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/formulation/gauss_gradients.h>
-#include <seiche/formulation/point_inertia.h>
+#include <seiche/formulation/point_inertia_term.h>
 
 namespace seiche
 {
@@ -42,44 +42,50 @@ namespace seiche
 
   template <int dim, int degree>
   void
-  PointInertia<dim, degree>::add_residual(CellData<dim, degree> &cell)
+  PointInertiaTerm::add_cell_residual(CellData<dim, degree> &cell) const
   {
-    if (cell.extent_inertia == 0.)
+    const double inertia = factor * cell.extent_inertia;
+    if (inertia == 0.)
       return;
     const auto &stiffness = UnitStiffness<dim, degree>::get().value;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int b = 0; b < cell.n_nodes; ++b)
         {
-          const double factor = cell.extent_inertia * cell.acceleration[i][b];
+          const double force = inertia * cell.acceleration[i][b];
           for (unsigned int a = 0; a < cell.n_nodes; ++a)
-            cell.residual_u[i][a] += factor * stiffness[b][a];
+            cell.residual_u[i][a] += force * stiffness[b][a];
         }
   }
 
   template <int dim, int degree>
   void
-  PointInertia<dim, degree>::add_tangent(CellData<dim, degree> &cell)
+  PointInertiaTerm::add_cell_tangent(CellData<dim, degree> &cell) const
   {
-    if (cell.extent_inertia == 0.)
+    const double inertia =
+      factor * cell.extent_inertia * cell.coefficients.inertia;
+    if (inertia == 0.)
       return;
-    const auto  &stiffness = UnitStiffness<dim, degree>::get().value;
-    const double factor    = cell.extent_inertia * cell.coefficients.inertia;
+    const auto &stiffness = UnitStiffness<dim, degree>::get().value;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int a = 0; a < cell.n_nodes; ++a)
         for (unsigned int b = 0; b < cell.n_nodes; ++b)
-          cell.uu[i][i][a][b] += factor * stiffness[a][b];
-    if (!cell.turns)
-      return;
-    const Tensor<2, dim> shares = cell.coriolis_over_inertia();
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int k = 0; k < dim; ++k)
+          cell.uu[i][i][a][b] += inertia * stiffness[a][b];
+    cell.for_each_coriolis_share(
+      [&](const unsigned int i, const unsigned int k, const double share) {
         for (unsigned int a = 0; a < cell.n_nodes; ++a)
           for (unsigned int b = 0; b < cell.n_nodes; ++b)
-            cell.uu[i][k][a][b] += factor * shares[i][k] * stiffness[a][b];
+            cell.uu[i][k][a][b] += share * inertia * stiffness[a][b];
+      });
   }
 
-  template struct PointInertia<2, 1>;
-  template struct PointInertia<2, 2>;
-  template struct PointInertia<3, 1>;
-  template struct PointInertia<3, 2>;
+#define INSTANTIATE(dim, degree)                                             \
+  template void PointInertiaTerm::add_cell_residual(CellData<dim, degree> &) \
+    const;                                                                   \
+  template void PointInertiaTerm::add_cell_tangent(CellData<dim, degree> &)  \
+    const;
+  INSTANTIATE(2, 1)
+  INSTANTIATE(2, 2)
+  INSTANTIATE(3, 1)
+  INSTANTIATE(3, 2)
+#undef INSTANTIATE
 } // namespace seiche

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/formulation/body_force_term.h>
+#include <seiche/formulation/formulation.h>
+#include <seiche/formulation/ghost_terms.h>
+#include <seiche/formulation/inertia_term.h>
+#include <seiche/formulation/momentum_subscale_term.h>
+#include <seiche/formulation/point_inertia_term.h>
+#include <seiche/formulation/pressure_subscale_term.h>
+#include <seiche/formulation/pressure_term.h>
+#include <seiche/formulation/residual_moments_term.h>
+#include <seiche/formulation/start_constraint_term.h>
+#include <seiche/formulation/term_list.h>
+#include <seiche/formulation/viscous_term.h>
+#include <seiche/formulation/volume_constraint_term.h>
+
+namespace seiche
+{
+  template <int dim>
+  Formulation<dim>
+  make_displacement_pressure(const FormulationParameters &parameters,
+                             const FreeSurfaceParameters &free_surface,
+                             const VolumeLaw             &volume_law,
+                             const VolumeFactors         &factors)
+  {
+    Formulation<dim> result;
+    result.volume_law    = volume_law;
+    result.lumps_inertia = parameters.lumps_inertia();
+    result.subscales =
+      std::make_shared<const Stabilization>(parameters.stabilization);
+
+    const InertiaTerm           inertia;
+    const BodyForceTerm         body_force;
+    const ViscousTerm           viscosity;
+    const PressureTerm          pressure;
+    const VolumeConstraintTerm  constraint(volume_law, factors);
+    const MomentumSubscaleTerm  momentum_subscale;
+    const PressureSubscaleTerm  pressure_subscale(volume_law.bulk_modulus);
+    const PointInertiaTerm      point_inertia(free_surface.point_inertia);
+    const GhostAccelerationTerm ghost_acceleration(free_surface);
+    const GhostPressureTerm     ghost_pressure(free_surface);
+
+    result.step = make_weak_form<dim>(inertia,
+                                      body_force,
+                                      viscosity,
+                                      pressure,
+                                      constraint,
+                                      momentum_subscale,
+                                      pressure_subscale,
+                                      point_inertia,
+                                      ghost_acceleration,
+                                      ghost_pressure,
+                                      GhostVelocityTerm(free_surface));
+
+    result.projection =
+      make_weak_form<dim>(inertia,
+                          pressure,
+                          StartConstraintTerm(volume_law,
+                                              factors.start_divergence),
+                          momentum_subscale,
+                          pressure_subscale,
+                          point_inertia,
+                          ghost_acceleration,
+                          ghost_pressure);
+
+    result.consistent_start =
+      make_weak_form<dim>(inertia,
+                          body_force,
+                          viscosity,
+                          pressure,
+                          StartConstraintTerm(volume_law, /*factor=*/1.),
+                          momentum_subscale,
+                          pressure_subscale,
+                          point_inertia,
+                          ghost_acceleration,
+                          ghost_pressure);
+
+    if (parameters.stabilization.is_orthogonal())
+      result.residual_moments =
+        make_weak_form<dim>(Strong(inertia),
+                            Strong(body_force),
+                            Strong(viscosity),
+                            Strong(pressure),
+                            Strong(constraint),
+                            ResidualMomentsTerm(
+                              parameters.stabilization.projects_lumped()));
+    return result;
+  }
+
+#define INSTANTIATE(dim)                                \
+  template Formulation<dim> make_displacement_pressure( \
+    const FormulationParameters &,                      \
+    const FreeSurfaceParameters &,                      \
+    const VolumeLaw &,                                  \
+    const VolumeFactors &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace seiche
