@@ -48,22 +48,20 @@ namespace seiche
         !(scene.grid.any_unilateral() || scene.grid.any_friction() ||
           WallMotion<dim>(scene.grid, scene.input, scene.time.end_time)
             .any()) ||
-          scene.time_scheme.scheme == "generalized midpoint",
+          !scene.time_scheme.needs_acceleration(),
         "Time/Scheme",
         "unilateral walls, walls with friction and walls with a "
         "displacement need generalized midpoint: the other schemes carry an "
         "acceleration that jumps where the fluid meets a wall");
       scene.input.require(
-        scene.time_scheme.elastic_pressure == "end" ||
-          (scene.time_scheme.scheme == "generalized midpoint" &&
+        scene.time_scheme.is_elastic_at_end() ||
+          (!scene.time_scheme.needs_acceleration() &&
            !scene.fluid.is_incompressible()),
         "Time/Elastic pressure",
         "middle needs Scheme = generalized midpoint and a finite Fluid/Bulk "
         "modulus: an incompressible fluid has no sound; set it to end");
       scene.input.require(
-        !scene.time.controls_error() ||
-          scene.time_scheme.scheme != "generalized midpoint" ||
-          scene.time_scheme.rho_infinity == 1.,
+        !scene.time.controls_error() || scene.time_scheme.is_second_order(),
         "Time/Step control",
         "error needs a scheme of second order: set Rho infinity = 1");
     }
@@ -166,7 +164,7 @@ namespace seiche
     input_file.require(
       transfer_method(transfer.method).update !=
           VelocityUpdate::flip_acceleration ||
-        time_scheme.scheme == "newmark",
+        time_scheme.has_newmark_rule(),
       "Transfer/Method",
       "FLIP acceleration updates velocities by Newmark's rule: set Time/Scheme "
       "= newmark, or another method");
@@ -266,7 +264,7 @@ namespace seiche
   Scene<dim>::has_pressure_of_end() const
   {
     return formulation.is_mixed() && !fluid.is_incompressible() &&
-           time_scheme.elastic_pressure == "end";
+           time_scheme.is_elastic_at_end();
   }
 
   template <int dim>

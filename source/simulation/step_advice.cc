@@ -43,7 +43,7 @@ namespace seiche
        "Formulation/Stabilization = ASGS"},
       {is_soft && !scene.quadrature.has_surface(),
        "Quadrature/Rule = cut cells"},
-      {is_soft && scene.time_scheme.elastic_pressure == "end" &&
+      {is_soft && scene.time_scheme.is_elastic_at_end() &&
          !scene.formulation.lumps_inertia(),
        "Fluid/Bulk modulus = infinite"},
       {!is_mixed,
