@@ -178,7 +178,7 @@ namespace seiche
 
     table = std::make_unique<const TimeTable>(
       input,
-      TimeTable::Entries{section + "/Reference table",
+      CsvCurve::Entries{section + "/Reference table",
                          parameters.table,
                          section + "/Table columns",
                          parameters.table_columns,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/parameters/input_reader.h>
+#include <seiche/parameters/input_problems.h>
 #include <seiche/scene/wall_motion.h>
 #include <seiche/scene/wall_velocity.h>
 #include <seiche/simulation/accepted_failures.h>
@@ -18,27 +18,6 @@ namespace seiche
 
   namespace
   {
-    /// InputError with the mistakes of all checks, which do not need each
-    /// other.
-    void
-    require_all(const std::vector<std::function<void()>> &checks)
-    {
-      std::vector<std::string> problems;
-      for (const auto &check : checks)
-        try
-          {
-            check();
-          }
-        catch (const InputError &error)
-          {
-            // a table may be read by several
-            if (std::find(problems.begin(), problems.end(), error.what()) ==
-                problems.end())
-              problems.emplace_back(error.what());
-          }
-      throw_problems(problems);
-    }
-
     /// What some walls, forces of sound and the error of a step need.
     template <int dim>
     void
