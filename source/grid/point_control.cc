@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/point_control.h>
 #include <seiche/parameters/input_file.h>
+#include <seiche/utilities/over_ranks.h>
 #include <seiche/utilities/state_archive.h>
 
 #include <deal.II/base/mpi.h>
@@ -134,14 +135,12 @@ namespace seiche
   void
   PointControl<dim>::add_change(const Moments &before, Moments &sum) const
   {
-    Moments own = moments(), all;
-    for (unsigned int i = 0; i < own.size(); ++i)
-      own[i] -= before[i];
-    Utilities::MPI::sum(ArrayView<const double>(own.data(), own.size()),
-                        points.communicator,
-                        ArrayView<double>(all.data(), all.size()));
+    Moments change = moments();
+    for (unsigned int i = 0; i < change.size(); ++i)
+      change[i] -= before[i];
+    sum_over_ranks(change, points.communicator);
     for (unsigned int i = 0; i < sum.size(); ++i)
-      sum[i] += all[i];
+      sum[i] += change[i];
   }
 
   template <int dim>

@@ -236,7 +236,7 @@ namespace seiche
             p.rho_infinity,
             p.pressure_order == "second" && p.rho_infinity == 1. &&
               is_incompressible,
-            p.elastic_pressure == "end");
+            p.is_elastic_at_end());
         }},
        {"bossak",
         "Bossak alpha",
@@ -317,11 +317,18 @@ namespace seiche
         if (scheme == row.name)
           input.cites(row.papers);
       }
-    input.read_only_if(scheme == "generalized midpoint" && rho_infinity == 1. &&
+    input.read_only_if(!needs_acceleration() && is_second_order() &&
                          is_incompressible,
                        section + "Pressure order",
                        "Scheme = generalized midpoint, Rho infinity = 1, the "
                        "mixed form and an infinite Fluid/Bulk modulus");
+  }
+
+  bool
+  TimeSchemeParameters::needs_acceleration() const
+  {
+    return make_time_scheme<2>(*this, /*is_incompressible=*/true)
+      ->needs_acceleration();
   }
 
   template <int dim>

@@ -116,6 +116,94 @@ namespace seiche
       "Exit codes: 0 finished, 1 internal error, 2 mistake in the input, "
       "3 numerical failure, 4 a file cannot be written or read, 5 stopped "
       "(--restart goes on), 6 fails a verdict.\n";
+
+    /// What the words of the command line are, but for the CommandLine.
+    struct Asked
+    {
+      bool               version = false;
+      std::string        example_name;
+      const CLI::Option *output  = nullptr;
+      const CLI::Option *example = nullptr;
+    };
+
+    void
+    declare_options(CLI::App &app, CommandLine &result, Asked &asked)
+    {
+      app
+        .add_option("FILE.prm", result.filename, "Parameter file of the scene")
+        ->type_name("");
+      app
+        .add_option("--set",
+                    result.overrides,
+                    "Change an entry; any number of times")
+        ->type_name("\"Subsection/Entry = value\"")
+        ->allow_extra_args(false);
+      asked.output = app
+                       .add_option("--output",
+                                   result.output,
+                                   "Folder of the results [name of the file]")
+                       ->type_name("DIR");
+      app.add_flag("--restart",
+                   result.restart,
+                   "Go on from the newest checkpoint in that folder");
+      app
+        .add_option("--max-hours",
+                    result.max_hours,
+                    "Wall time after which the run has stopped with a "
+                    "checkpoint")
+        ->type_name("H");
+      app.add_flag("--validate",
+                   result.validate,
+                   "Check everything, foretell time and memory, draw the scene "
+                   "(DIR.svg); compute nothing");
+      app.add_flag("--print-parameters",
+                   result.print_parameters,
+                   "Describe all entries of parameter files (markdown)");
+      asked.example =
+        app
+          .add_option("--example",
+                      asked.example_name,
+                      "Print a commented scene to start from; without NAME: "
+                      "list them")
+          ->type_name("[NAME]")
+          ->expected(0, 1);
+      app.add_flag("--self-test",
+                   result.self_test,
+                   "Say within half a minute whether this build computes what "
+                   "it should");
+      app.add_flag("--version",
+                   asked.version,
+                   "Print the versions of program and libraries");
+    }
+
+    /// What has a text or scenes of its own takes no other scene.
+    void
+    refuse_scenes(const CLI::App    &app,
+                  const CommandLine &result,
+                  const Asked       &asked)
+    {
+      if (asked.example->count() > 0 && (result.validate || result.restart))
+        refuse(app,
+               "--example prints a scene, and that is all: write it to a file "
+               "first.");
+      if (result.self_test && !result.filename.empty())
+        refuse(app,
+               "--self-test has scenes of its own: leave out \"" +
+                 result.filename + "\".");
+    }
+
+    void
+    require_scene(const CLI::App    &app,
+                  const CommandLine &result,
+                  const Asked       &asked)
+    {
+      if (result.filename.empty())
+        refuse(app, "no parameter file is given.");
+      if (!(result.max_hours > 0.))
+        refuse(app, "--max-hours needs a time greater than zero [h].");
+      if (asked.output->count() > 0 && result.output.empty())
+        refuse(app, "--output needs the name of a folder.");
+    }
   } // namespace
 
 
@@ -124,58 +212,12 @@ namespace seiche
   parse_command_line(const int argc, char **argv)
   {
     CommandLine result;
-    bool        version = false;
-    std::string example_name;
-
-    CLI::App app("Incompressible free-surface flow by the material point "
-                 "method.",
+    Asked       asked;
+    CLI::App    app("Incompressible free-surface flow by the material point "
+                    "method.",
                  "seiche");
     app.allow_extras();
-    app.add_option("FILE.prm", result.filename, "Parameter file of the scene")
-      ->type_name("");
-    app
-      .add_option("--set",
-                  result.overrides,
-                  "Change an entry; any number of times")
-      ->type_name("\"Subsection/Entry = value\"")
-      ->allow_extra_args(false);
-    CLI::Option *output =
-      app
-        .add_option("--output",
-                    result.output,
-                    "Folder of the results [name of the file]")
-        ->type_name("DIR");
-    app.add_flag("--restart",
-                 result.restart,
-                 "Go on from the newest checkpoint in that folder");
-    app
-      .add_option("--max-hours",
-                  result.max_hours,
-                  "Wall time after which the run has stopped with a "
-                  "checkpoint")
-      ->type_name("H");
-    app.add_flag("--validate",
-                 result.validate,
-                 "Check everything, foretell time and memory, draw the scene "
-                 "(DIR.svg); compute nothing");
-    app.add_flag("--print-parameters",
-                 result.print_parameters,
-                 "Describe all entries of parameter files (markdown)");
-    const CLI::Option *example =
-      app
-        .add_option("--example",
-                    example_name,
-                    "Print a commented scene to start from; without NAME: "
-                    "list them")
-        ->type_name("[NAME]")
-        ->expected(0, 1);
-    app.add_flag("--self-test",
-                 result.self_test,
-                 "Say within half a minute whether this build computes what "
-                 "it should");
-    app.add_flag("--version",
-                 version,
-                 "Print the versions of program and libraries");
+    declare_options(app, result, asked);
     app.footer(help_footer);
 
     try
@@ -193,26 +235,14 @@ namespace seiche
       }
 
     check_remaining(app);
-    if (version)
+    if (asked.version)
       result.text = version_text();
-    else if (example->count() > 0)
-      result.text = example_text(app, example_name);
-    if (example->count() > 0 && (result.validate || result.restart))
-      refuse(app,
-             "--example prints a scene, and that is all: write it to a file "
-             "first.");
-    if (result.self_test && !result.filename.empty())
-      refuse(app,
-             "--self-test has scenes of its own: leave out \"" +
-               result.filename + "\".");
+    else if (asked.example->count() > 0)
+      result.text = example_text(app, asked.example_name);
+    refuse_scenes(app, result, asked);
     if (!result.text.empty() || result.print_parameters || result.self_test)
       return result;
-    if (result.filename.empty())
-      refuse(app, "no parameter file is given.");
-    if (!(result.max_hours > 0.))
-      refuse(app, "--max-hours needs a time greater than zero [h].");
-    if (output->count() > 0 && result.output.empty())
-      refuse(app, "--output needs the name of a folder.");
+    require_scene(app, result, asked);
     if (result.output.empty())
       result.output = std::filesystem::path(result.filename).stem().string();
     return result;

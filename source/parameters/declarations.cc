@@ -234,4 +234,45 @@ namespace seiche
     const std::size_t slash = path.rfind('/');
     return slash == std::string::npos ? "" : path.substr(0, slash);
   }
+
+
+  std::string
+  Declaration::allowed_text() const
+  {
+    return "Allowed: " + allowed() + (unit().empty() ? "" : " " + unit()) + ".";
+  }
+
+
+
+  std::string
+  Declaration::meaning_text() const
+  {
+    std::string meaning  = text;
+    const auto  trim_end = [&meaning]() {
+      while (!meaning.empty() &&
+             (meaning.back() == '.' || meaning.back() == ' '))
+        meaning.pop_back();
+    };
+    trim_end();
+    const std::string its_unit = unit();
+    if (!its_unit.empty() && meaning.size() > its_unit.size() &&
+        meaning.compare(meaning.size() - its_unit.size(),
+                        its_unit.size(),
+                        its_unit) == 0)
+      {
+        meaning.resize(meaning.size() - its_unit.size());
+        trim_end();
+      }
+    return meaning.empty() ? "" : " Meaning: " + meaning + ".";
+  }
+
+
+
+  std::string
+  entry_in_words(const std::string &path)
+  {
+    const std::string subsection = subsection_name(path);
+    return "entry \"" + entry_name(path) + "\"" +
+           (subsection.empty() ? "" : " in \"" + subsection + "\"");
+  }
 } // namespace seiche

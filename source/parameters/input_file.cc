@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/declarations.h>
 #include <seiche/parameters/input_file.h>
+#include <seiche/parameters/input_problems.h>
+#include <seiche/parameters/input_reader.h>
 #include <seiche/parameters/nearest_name.h>
+#include <seiche/parameters/unknown_names.h>
 #include <seiche/utilities/exceptions.h>
 #include <seiche/utilities/references.h>
 
@@ -19,44 +22,6 @@ namespace seiche
   namespace
   {
     const char *const dimension_entry = "Dimension";
-
-    /// `entry "E" in "S"`.
-    std::string
-    entry_in_words(const std::string &path)
-    {
-      const std::string subsection = subsection_name(path);
-      return "entry \"" + entry_name(path) + "\"" +
-             (subsection.empty() ? "" : " in \"" + subsection + "\"");
-    }
-
-    /// `Allowed: a number >= 0 [Pa].` for the messages.
-    std::string
-    allowed_in_words(const Declaration &declaration)
-    {
-      const std::string unit = declaration.unit();
-      return "Allowed: " + declaration.allowed() +
-             (unit.empty() ? "" : " " + unit) + ".";
-    }
-
-    /// ` Meaning: Density of the fluid.`, without the unit at the end.
-    std::string
-    meaning_in_words(const Declaration &declaration)
-    {
-      std::string text     = declaration.text;
-      const auto  trim_end = [&text]() {
-        while (!text.empty() && (text.back() == '.' || text.back() == ' '))
-          text.pop_back();
-      };
-      trim_end();
-      const std::string unit = declaration.unit();
-      if (!unit.empty() && text.size() > unit.size() &&
-          text.compare(text.size() - unit.size(), unit.size(), unit) == 0)
-        {
-          text.resize(text.size() - unit.size());
-          trim_end();
-        }
-      return text.empty() ? "" : " Meaning: " + text + ".";
-    }
 
     /// False if the value cannot be converted to the type of the member.
     bool
@@ -99,7 +64,7 @@ namespace seiche
       else
         return "";
       return problem + (problem.back() == '?' ? " " : ". ") +
-             allowed_in_words(declaration) + meaning_in_words(declaration);
+             declaration.allowed_text() + declaration.meaning_text();
     }
   } // namespace
 
@@ -214,17 +179,17 @@ namespace seiche
     if (has_reader || !is_set(path))
       return;
     // variants of a scene may share what only some of them need
-    const std::string place = origin(path);
+    const std::string place = text.origin(path);
     const bool        is_included =
       place.rfind(filename + ":", 0) != 0 && place.rfind("--set", 0) != 0;
     if (is_included)
       return;
-    const std::string text = place + ": " + entry_in_words(path) + " = " +
-                             value(path) + " has no effect: only with " +
-                             reader + " is it read";
-    if (std::find(set_in_vain.begin(), set_in_vain.end(), text) ==
+    const std::string warning = place + ": " + entry_in_words(path) + " = " +
+                                value(path) + " has no effect: only with " +
+                                reader + " is it read";
+    if (std::find(set_in_vain.begin(), set_in_vain.end(), warning) ==
         set_in_vain.end())
-      set_in_vain.push_back(text);
+      set_in_vain.push_back(warning);
   }
 
 
@@ -244,23 +209,6 @@ namespace seiche
 
 
 
-  std::string
-  InputFile::origin(const std::string &path) const
-  {
-    const auto entry = text.entries.find(path);
-    if (entry != text.entries.end())
-      return entry->second.origin;
-    for (std::string part = path; !part.empty(); part = subsection_name(part))
-      {
-        const auto subsection = text.subsections.find(part);
-        if (subsection != text.subsections.end())
-          return subsection->second;
-      }
-    return text.end;
-  }
-
-
-
   void
   InputFile::fail(const std::string &path, const std::string &problem) const
   {
@@ -272,7 +220,7 @@ namespace seiche
       what = "subsection \"" + path + "\"";
     else
       what = entry_in_words(path) + " (not set)";
-    throw InputError(origin(path) + ": " + what + ": " + problem);
+    throw InputError(text.origin(path) + ": " + what + ": " + problem);
   }
 
 
@@ -283,8 +231,8 @@ namespace seiche
     declare_dimension(prm);
     const std::vector<Declaration> known = declarations(prm);
 
-    std::vector<std::string> problems;
-    check_names(known, problems);
+    std::vector<std::string> problems =
+      UnknownNames(text, kinds, known).problems();
     // in the order of the file: the user reads messages from top to bottom
     for (const std::string &path : text.order)
       for (const Declaration &declaration : known)
@@ -303,8 +251,9 @@ namespace seiche
             if (value == declaration.default_value && !declaration.mandatory)
               entries_at_default.insert(path);
             if (!problem.empty())
-              problems.push_back(origin(path) + ": " + entry_in_words(path) +
-                                 " = " + value + ": " + problem);
+              problems.push_back(text.origin(path) + ": " +
+                                 entry_in_words(path) + " = " + value + ": " +
+                                 problem);
           }
     for (const Declaration &declaration : known)
       if (declaration.mandatory && text.entries.count(declaration.path) == 0)
@@ -312,128 +261,14 @@ namespace seiche
           const std::string subsection = subsection_name(declaration.path);
           problems.push_back(fmt::format(
             "{}: {} is mandatory and not set; write \"set {} = ...\"{}. {}{}",
-            origin(declaration.path),
+            text.origin(declaration.path),
             entry_in_words(declaration.path),
             entry_name(declaration.path),
             subsection.empty() ? "" : " in \"subsection " + subsection + "\"",
-            allowed_in_words(declaration),
-            meaning_in_words(declaration)));
+            declaration.allowed_text(),
+            declaration.meaning_text()));
         }
     throw_problems(problems);
-  }
-
-
-
-  void
-  InputFile::check_names(const std::vector<Declaration> &known,
-                         std::vector<std::string>       &problems) const
-  {
-    std::set<std::string> known_entries, known_subsections;
-    for (const Declaration &declaration : known)
-      {
-        known_entries.insert(declaration.path);
-        for (std::string part = subsection_name(declaration.path);
-             !part.empty();
-             part = subsection_name(part))
-          known_subsections.insert(part);
-      }
-    for (const std::string &path : text.order)
-      {
-        const std::string subsection = subsection_name(path);
-        // what is in an unknown subsection is reported with it
-        if (!subsection.empty() && known_subsections.count(subsection) == 0)
-          continue;
-        if (text.subsections.count(path) > 0)
-          {
-            if (known_subsections.count(path) == 0)
-              problems.push_back(unknown_subsection(path, known_subsections));
-          }
-        else if (known_entries.count(path) == 0)
-          problems.push_back(unknown_entry(path, known));
-      }
-  }
-
-
-
-  bool
-  InputFile::is_instance(const std::string &subsection) const
-  {
-    return std::any_of(kinds.begin(), kinds.end(), [&](const auto &kind) {
-      return subsection.compare(0, kind.size() + 1, kind + " ") == 0;
-    });
-  }
-
-
-
-  std::string
-  InputFile::unknown_subsection(const std::string           &path,
-                                const std::set<std::string> &known) const
-  {
-    const std::string place = origin(path) + ": ";
-    if (kinds.count(path) > 0)
-      return place + "subsection \"" + path +
-             "\" needs a name of its own; write \"subsection " + path +
-             " NAME\".";
-
-    const std::string        parent = subsection_name(path);
-    const std::string        name   = entry_name(path);
-    std::vector<std::string> shown;
-    for (const std::string &subsection : known)
-      if (subsection_name(subsection) == parent && !is_instance(subsection))
-        shown.push_back(entry_name(subsection));
-    std::string hint = nearest_hint(name, shown);
-    if (parent.empty())
-      for (const std::string &kind : kinds)
-        {
-          shown.push_back(kind + " NAME");
-          // as many first words of the name as the kind has
-          std::size_t end = 0;
-          for (long n = std::count(kind.begin(), kind.end(), ' ') + 1;
-               n > 0 && end != std::string::npos;
-               --n)
-            end = name.find(' ', end + 1);
-          if (end != std::string::npos &&
-              edit_distance(name.substr(0, end), kind) <=
-                std::max<std::size_t>(2, kind.size() / 4))
-            hint = "; did you mean \"" + kind + name.substr(end) + "\"?";
-        }
-    return place + "no subsection \"" + name + "\"" +
-           (parent.empty() ? "" : " in \"" + parent + "\"") +
-           (hint.empty() ?
-              ". Subsections there: " +
-                (shown.empty() ? "none" : quoted_list(shown)) + "." :
-              hint);
-  }
-
-
-
-  std::string
-  InputFile::unknown_entry(const std::string              &path,
-                           const std::vector<Declaration> &known) const
-  {
-    const std::string        name   = entry_name(path);
-    const std::string        parent = subsection_name(path);
-    std::vector<std::string> siblings;
-    std::string              elsewhere;
-    for (const Declaration &declaration : known)
-      if (subsection_name(declaration.path) == parent)
-        siblings.push_back(entry_name(declaration.path));
-      else if (entry_name(declaration.path) == name && elsewhere.empty() &&
-               !is_instance(subsection_name(declaration.path)))
-        elsewhere = subsection_name(declaration.path);
-
-    std::string message =
-      origin(path) + ": no entry \"" + name + "\"" +
-      (parent.empty() ? " outside subsections" : " in \"" + parent + "\"");
-    const std::string nearest = nearest_name(name, siblings);
-    if (!nearest.empty())
-      for (const Declaration &declaration : known)
-        if (declaration.path == (parent.empty() ? "" : parent + "/") + nearest)
-          return message + "; did you mean \"" + nearest + "\" " +
-                 declaration.unit() + "? " + allowed_in_words(declaration);
-    if (!elsewhere.empty())
-      return message + "; it belongs into \"subsection " + elsewhere + "\".";
-    return message + ". Entries there: " + quoted_list(siblings) + ".";
   }
 
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/parameters/input_lines.h>
+#include <seiche/parameters/input_problems.h>
 #include <seiche/parameters/input_reader.h>
 #include <seiche/parameters/nearest_name.h>
 #include <seiche/utilities/exceptions.h>
-#include <seiche/utilities/regular_file.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <fmt/format.h>
 
-#include <array>
 #include <filesystem>
-#include <fstream>
 
 namespace seiche
 {
@@ -19,37 +18,8 @@ namespace seiche
     namespace fs = std::filesystem;
     using dealii::Utilities::trim;
 
-    // A scene is some hundred lines; what is larger is not a scene.
-    constexpr std::uintmax_t largest_file = 16u << 20;
-    constexpr unsigned int   most_files   = 100;
-    constexpr std::size_t    most_shown   = 20;
-    constexpr std::size_t    deepest      = 8; // subsections in each other
-
-    /// The whole file; the problem as text if it cannot be one of ours.
-    std::string
-    file_contents(const std::string &filename, std::string &problem)
-    {
-      problem = problem_of_file(filename, largest_file);
-      if (!problem.empty())
-        return "";
-
-      // the stream's own read() reports what the system refuses to read
-      std::ifstream          stream(filename, std::ios::binary);
-      std::string            text;
-      std::array<char, 4096> block;
-      while (stream.read(block.data(), block.size()) || stream.gcount() > 0)
-        text.append(block.data(), stream.gcount());
-      if (!stream.eof())
-        problem = "this file cannot be read; check its permissions";
-      else if (text.find('\0') != std::string::npos)
-        problem = "this is not a text file";
-      else if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-        problem = "this file is empty; a scene needs at least \"set Dimension "
-                  "= 2\" and its mandatory entries";
-      else if (text.compare(0, 3, "\xEF\xBB\xBF") == 0)
-        text.erase(0, 3); // mark of some editors
-      return text;
-    }
+    constexpr unsigned int most_files = 100;
+    constexpr std::size_t  deepest    = 8; // subsections in each other
 
     /// True if the line starts with the word, which is then removed.
     bool
@@ -63,24 +33,6 @@ namespace seiche
       return true;
     }
 
-    std::string
-    problem_of_name(const std::string &name)
-    {
-      return name.find_first_of("/,;\"") == std::string::npos ?
-               "" :
-               ": the name of subsection \"" + name +
-                 "\" has one of / , ; \" in it; leave them out.";
-    }
-
-    std::string
-    joined(const std::vector<std::string> &names)
-    {
-      std::string path;
-      for (const std::string &name : names)
-        path += (path.empty() ? "" : "/") + name;
-      return path;
-    }
-
     /// The reader of one file and those it includes.
     class Reader
     {
@@ -92,6 +44,9 @@ namespace seiche
       read(const std::string &filename, const std::string &included_at);
 
     private:
+      /// False if the file includes itself or is one too many: a problem.
+      bool
+      may_be_read(const fs::path &canonical, const std::string &place);
       void
       read_line(std::string        line,
                 const std::string &origin,
@@ -114,13 +69,35 @@ namespace seiche
         for (const auto &subsection : open)
           names.push_back(subsection.name);
         names.push_back(entry);
-        return joined(names);
+        return path_of_names(names);
       }
 
       std::vector<OpenSubsection> open;
       std::vector<fs::path>       files; // being read, outermost first
       unsigned int                n_files = 0;
     };
+
+
+
+    bool
+    Reader::may_be_read(const fs::path &canonical, const std::string &place)
+    {
+      for (const fs::path &file : files)
+        if (file == canonical)
+          {
+            problems.push_back(place + ": the file includes itself; remove "
+                                       "this include.");
+            return false;
+          }
+      if (++n_files > most_files)
+        {
+          problems.push_back(fmt::format("{}: more than {} files are included",
+                                         place,
+                                         most_files));
+          return false;
+        }
+      return true;
+    }
 
 
 
@@ -131,55 +108,23 @@ namespace seiche
         included_at.empty() ? filename : included_at + ": \"" + filename + "\"";
       std::error_code error;
       const fs::path  canonical = fs::weakly_canonical(filename, error);
-      for (const fs::path &file : files)
-        if (file == canonical)
-          {
-            problems.push_back(place + ": the file includes itself; remove "
-                                       "this include.");
-            return;
-          }
-      if (++n_files > most_files)
+      if (!may_be_read(canonical, place))
+        return;
+      const InputLines contents = read_lines(filename);
+      if (!contents.problem.empty())
         {
-          problems.push_back(fmt::format("{}: more than {} files are included",
-                                         place,
-                                         most_files));
-          return;
-        }
-      std::string       problem;
-      const std::string contents = file_contents(filename, problem);
-      if (!problem.empty())
-        {
-          problems.push_back(place + ": " + problem + ".");
+          problems.push_back(place + ": " + contents.problem + ".");
           return;
         }
 
       files.push_back(canonical);
       const std::size_t outer_depth = open.size();
-      std::string       line;
-      unsigned int      number = 0, first_number = 0;
-      for (std::size_t begin = 0; begin < contents.size();)
-        {
-          const std::size_t end =
-            std::min(contents.find('\n', begin), contents.size());
-          std::string piece = contents.substr(begin, end - begin);
-          begin             = end + 1;
-          ++number;
-          if (line.empty())
-            first_number = number;
-          // a backslash within a comment continues nothing
-          piece                = trim(piece.substr(0, piece.find('#')));
-          const bool continued = !piece.empty() && piece.back() == '\\';
-          if (continued)
-            piece.pop_back();
-          line += piece;
-          if (continued && begin < contents.size())
-            continue;
-          read_line(trim(line),
-                    fmt::format("{}:{}", filename, first_number),
-                    filename,
-                    outer_depth);
-          line.clear();
-        }
+      for (const InputLine &line : contents.lines)
+        read_line(line.text,
+                  fmt::format("{}:{}", filename, line.number),
+                  filename,
+                  outer_depth);
+      text.end = fmt::format("{}:{}", filename, contents.n_lines);
       while (open.size() > outer_depth)
         {
           problems.push_back(
@@ -189,7 +134,6 @@ namespace seiche
           open.pop_back();
         }
       files.pop_back();
-      text.end = fmt::format("{}:{}", filename, number);
     }
 
 
@@ -303,21 +247,6 @@ namespace seiche
 
 
 
-  void
-  InputText::add_subsection(const std::string &path, const std::string &origin)
-  {
-    for (std::size_t slash = path.find('/');; slash = path.find('/', slash + 1))
-      {
-        const std::string part = path.substr(0, slash);
-        if (subsections.emplace(part, origin).second)
-          order.push_back(part);
-        if (slash == std::string::npos)
-          return;
-      }
-  }
-
-
-
   InputText
   read_input(const std::string &filename)
   {
@@ -333,107 +262,4 @@ namespace seiche
 
 
 
-  namespace
-  {
-    /// The names of a path "Subsection/Entry"; none if one is empty.
-    std::vector<std::string>
-    parts_of(const std::string &path)
-    {
-      std::vector<std::string> names;
-      for (std::size_t begin = 0; begin <= path.size();)
-        {
-          const std::size_t end = std::min(path.find('/', begin), path.size());
-          names.push_back(trim(path.substr(begin, end - begin)));
-          if (names.back().empty())
-            return {};
-          begin = end + 1;
-        }
-      return names;
-    }
-
-    /// Set the entry of the last of the names in the subsections of the others.
-    void
-    set_entry(const std::vector<std::string> &names,
-              const std::string              &value,
-              const std::string              &origin,
-              InputText                      &text)
-    {
-      const std::vector<std::string> around(names.begin(), names.end() - 1);
-      for (const std::string &name : around)
-        if (const std::string problem = problem_of_name(name); !problem.empty())
-          throw InputError(origin + problem);
-      if (!around.empty())
-        text.add_subsection(joined(around), origin);
-      const std::string path = joined(names);
-      if (text.entries.count(path) == 0)
-        text.order.push_back(path);
-      text.entries[path] = {value, origin, 0};
-    }
-  } // namespace
-
-
-
-  void
-  apply_overrides(const std::vector<std::string> &overrides, InputText &text)
-  {
-    std::map<std::string, std::string> given;
-    for (const std::string &override_text : overrides)
-      {
-        const std::string origin    = "--set \"" + override_text + "\"";
-        const std::size_t equals    = override_text.find('=');
-        const std::string path_text = override_text.substr(0, equals);
-        const std::vector<std::string> names = parts_of(path_text);
-        if (equals == std::string::npos || names.empty())
-          throw InputError(origin +
-                           ": write --set \"Subsection/Entry = value\".");
-
-        const std::string path = joined(names);
-        if (text.subsections.count(path) > 0)
-          throw InputError(origin + ": \"" + path +
-                           "\" is a subsection; write --set \"" + path +
-                           "/Entry = value\".");
-        const auto [first, is_new] = given.emplace(path, origin);
-        if (!is_new)
-          throw InputError(origin + ": entry \"" + names.back() +
-                           "\" is set twice, first by " + first->second +
-                           "; remove one.");
-        set_entry(names, trim(override_text.substr(equals + 1)), origin, text);
-      }
-  }
-
-
-
-  InputText
-  read_entries(const SceneEntries &entries)
-  {
-    InputText text;
-    text.end = "program";
-    for (const auto &[path, value] : entries.entries())
-      {
-        const std::string              origin = "program:" + path;
-        const std::vector<std::string> names  = parts_of(path);
-        if (names.empty())
-          throw InputError(origin + ": write \"Subsection/Entry\".");
-        if (text.entries.count(joined(names)) > 0)
-          throw InputError(origin + ": the entry is set twice; remove one.");
-        set_entry(names, trim(value), origin, text);
-      }
-    return text;
-  }
-
-
-
-  void
-  throw_problems(const std::vector<std::string> &problems)
-  {
-    if (problems.empty())
-      return;
-    std::string message;
-    for (std::size_t i = 0; i < std::min(problems.size(), most_shown); ++i)
-      message += (i > 0 ? "\n" : "") + problems[i];
-    if (problems.size() > most_shown)
-      message +=
-        fmt::format("\n... and {} more.", problems.size() - most_shown);
-    throw InputError(message);
-  }
 } // namespace seiche

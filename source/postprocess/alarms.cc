@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/alarms.h>
+#include <seiche/utilities/over_ranks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,20 +97,11 @@ namespace seiche
       return result;
     }
 
-    std::array<double, 2>
-    sum_of(const std::array<double, 2> &parts, const MPI_Comm communicator)
-    {
-      std::array<double, 2> sums;
-      Utilities::MPI::sum(ArrayView<const double>(parts.data(), 2),
-                          communicator,
-                          ArrayView<double>(sums.data(), 2));
-      return sums;
-    }
-
     double
-    ratio(const std::array<double, 2> &parts, const MPI_Comm communicator)
+    ratio(std::array<double, 2> parts, const MPI_Comm communicator)
     {
-      const auto [part, whole] = sum_of(parts, communicator);
+      sum_over_ranks(parts, communicator);
+      const auto [part, whole] = parts;
       return whole > 0. ? part / whole : 0.;
     }
 
@@ -138,7 +130,8 @@ namespace seiche
           if (has_gaps)
             parts[1] += gap(view, cell, leaving) * measure;
         }
-      const auto [excess, gaps] = sum_of(parts, view.points.communicator);
+      sum_over_ranks(parts, view.points.communicator);
+      const auto [excess, gaps] = parts;
       return excess - std::min(gaps, std::max(0., excess));
     }
 

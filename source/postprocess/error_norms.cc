@@ -3,6 +3,7 @@
 #include <seiche/postprocess/error_norms.h>
 #include <seiche/postprocess/grid_evaluation.h>
 #include <seiche/scene/entry_values.h>
+#include <seiche/utilities/over_ranks.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -119,15 +120,13 @@ namespace seiche
   }
 
   template <int dim>
-  ErrorNorm<dim>::ErrorNorm(
-    const ErrorParameters<dim>                &error_parameters,
-    const InputFile                           &input,
-    const BackgroundGrid<dim>                 &grid,
-    const std::shared_ptr<NodalPressure<dim>> &nodal_pressure)
+  ErrorNorm<dim>::ErrorNorm(const Parameters                &error_parameters,
+                            const PostprocessorContext<dim> &context)
     : parameters(error_parameters)
-    , exact(error_parameters.exact_solution(input, grid.parameters))
-    , region(error_parameters.region(input, grid.parameters))
-    , pressure(nodal_pressure)
+    , exact(
+        error_parameters.exact_solution(context.input, context.grid.parameters))
+    , region(error_parameters.region(context.input, context.grid.parameters))
+    , pressure(context.pressure)
     , of_pressure(error_parameters.quantity == "pressure")
   {}
 
@@ -231,20 +230,18 @@ namespace seiche
   {
     // sum of weights, then weighted sums of the differences and of the exact
     // values: subtracting means first keeps their squares free of cancellation
-    std::array<double, 1 + 2 * dim> first{}, means;
+    std::array<double, 1 + 2 * dim> means{};
     for (const Sample &sample : samples)
       {
-        first[0] += sample.weight;
+        means[0] += sample.weight;
         for (unsigned int c = 0; c < dim; ++c)
           {
-            first[1 + c] +=
+            means[1 + c] +=
               sample.weight * (sample.computed[c] - sample.exact[c]);
-            first[1 + dim + c] += sample.weight * sample.exact[c];
+            means[1 + dim + c] += sample.weight * sample.exact[c];
           }
       }
-    Utilities::MPI::sum(ArrayView<const double>(first.data(), first.size()),
-                        communicator,
-                        ArrayView<double>(means.data(), means.size()));
+    sum_over_ranks(means, communicator);
     const double   total = means[0];
     Tensor<1, dim> mean_error, mean_exact;
     if (parameters.remove_mean && total > 0.)
@@ -254,7 +251,7 @@ namespace seiche
           mean_exact[c] = means[1 + dim + c] / total;
         }
 
-    std::array<double, 2> squares{}, sums; // of error and exact solution
+    std::array<double, 2> squares{}; // of error and exact solution
     double                largest = 0.;
     for (const Sample &sample : samples)
       {
@@ -264,16 +261,14 @@ namespace seiche
         squares[1] += sample.weight * (sample.exact - mean_exact).norm_square();
         largest = std::max(largest, error);
       }
-    Utilities::MPI::sum(ArrayView<const double>(squares.data(), 2),
-                        communicator,
-                        ArrayView<double>(sums.data(), 2));
+    sum_over_ranks(squares, communicator);
     largest = Utilities::MPI::max(largest, communicator);
 
-    if (total <= 0. || (parameters.norm == "relative L2" && sums[1] <= 0.))
+    if (total <= 0. || (parameters.norm == "relative L2" && squares[1] <= 0.))
       return std::numeric_limits<double>::quiet_NaN();
     if (parameters.norm == "relative L2")
-      return std::sqrt(sums[0] / sums[1]);
-    return std::sqrt(parameters.norm == "rms" ? sums[0] / total : largest) /
+      return std::sqrt(squares[0] / squares[1]);
+    return std::sqrt(parameters.norm == "rms" ? squares[0] / total : largest) /
            parameters.scale;
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
 #include <seiche/postprocess/front_position.h>
+#include <seiche/utilities/over_ranks.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -67,13 +68,11 @@ namespace seiche
   }
 
   template <int dim>
-  FrontPosition<dim>::FrontPosition(
-    const std::vector<FrontParameters<dim>>       &parameters,
-    const BackgroundGrid<dim>                     &grid,
-    const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent)
+  FrontPosition<dim>::FrontPosition(const std::vector<Parameters>   &parameters,
+                                    const PostprocessorContext<dim> &context)
     : fronts(parameters)
-    , box(grid.parameters)
-    , extent(fluid_extent)
+    , box(context.grid.parameters)
+    , extent(context.extent)
   {}
 
   template <int dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/mass_and_energy.h>
 #include <seiche/utilities/axis_names.h>
+#include <seiche/utilities/over_ranks.h>
 
 #include <limits>
 
@@ -221,19 +222,11 @@ namespace seiche
       }
 
     const MPI_Comm                  communicator = view.points.communicator;
-    std::array<double, n_sums<dim>> local, global;
+    std::array<double, n_sums<dim>> global;
     for (unsigned int s = 0; s < n_sums<dim>; ++s)
-      local[s] = sums[s].sum + sums[s].correction;
-    Utilities::MPI::sum(ArrayView<const double>(local.data(), local.size()),
-                        communicator,
-                        ArrayView<double>(global.data(), global.size()));
-    const std::array<double, 3> largest = [&] {
-      std::array<double, 3> result;
-      Utilities::MPI::max(ArrayView<const double>(extremes.data(), 3),
-                          communicator,
-                          ArrayView<double>(result.data(), 3));
-      return result;
-    }();
+      global[s] = sums[s].sum + sums[s].correction;
+    sum_over_ranks(global, communicator);
+    maximum_over_ranks(extremes, communicator);
 
     Totals totals;
     totals.mass           = global[mass];
@@ -245,9 +238,9 @@ namespace seiche
     std::copy_n(global.begin() + vectors + dim,
                 n_rotations,
                 totals.angular_momentum.begin());
-    totals.speed_max        = std::sqrt(largest[0]);
-    totals.volume_ratio_max = largest[1];
-    totals.volume_ratio_min = -largest[2];
+    totals.speed_max        = std::sqrt(extremes[0]);
+    totals.volume_ratio_max = extremes[1];
+    totals.volume_ratio_min = -extremes[2];
     totals.outflow_mass     = view.points.outflow_mass();
     totals.points           = view.points.n_global();
     totals.outflow_points   = view.points.n_outflow();

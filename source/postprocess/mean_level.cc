@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/mean_level.h>
-
-#include <deal.II/base/mpi.h>
+#include <seiche/utilities/over_ranks.h>
 
 namespace seiche
 {
   using namespace dealii;
 
   template <int dim>
-  MeanLevel<dim>::MeanLevel(
-    const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent)
-    : extent(fluid_extent)
+  MeanLevel<dim>::MeanLevel(const PostprocessorContext<dim> &context)
+    : extent(context.extent)
   {}
 
   template <int dim>
@@ -20,9 +18,7 @@ namespace seiche
   {
     const auto            surface = extent->get(view).fluid->surface();
     std::array<double, 2> sums    = {{surface.area, surface.volume}};
-    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
-                        view.points.communicator,
-                        ArrayView<double>(sums.data(), sums.size()));
+    sum_over_ranks(sums, view.points.communicator);
     if (view.tank != nullptr && view.tank->rotation[dim - 1][dim - 1] <= 0.)
       {
         statistics.set(column, StatisticsTable::missing);

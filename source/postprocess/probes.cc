@@ -5,6 +5,7 @@
 #include <seiche/postprocess/probes.h>
 #include <seiche/scene/wrapped.h>
 #include <seiche/utilities/axis_names.h>
+#include <seiche/utilities/over_ranks.h>
 #include <seiche/utilities/result_names.h>
 
 #include <deal.II/base/numbers.h>
@@ -202,26 +203,21 @@ namespace seiche
   }
 
   template <int dim>
-  Probes<dim>::Probes(const std::vector<ProbeParameters<dim>>   &parameters,
-                      const BackgroundGrid<dim>                 &grid,
-                      const std::shared_ptr<NodalPressure<dim>> &nodal_pressure,
-                      const std::string                         &directory,
-                      const bool                                 writes)
+  Probes<dim>::Probes(const std::vector<Parameters>   &parameters,
+                      const PostprocessorContext<dim> &context)
     : probes(parameters)
-    , pressure(nodal_pressure)
-    , table(directory.empty() ? "" : directory + "/" + result_names::probes,
-            writes)
+    , pressure(context.pressure)
+    , table(context.file(result_names::probes), context.is_first_rank())
   {
     for (const auto &probe : probes)
       {
-        places.push_back(probe.places(grid.parameters));
+        places.push_back(probe.places(context.grid.parameters));
         signals.emplace_back(probe.reading_columns().size(),
                              SensorSignal(probe.sensor));
-        const bool has_file = !directory.empty() && probe.sensor.rate > 0.;
-        samples.emplace_back(has_file ? directory + "/" +
-                                          result_names::samples(probe.name) :
-                                        "",
-                             writes);
+        samples.emplace_back(probe.sensor.rate > 0. ?
+                               context.file(result_names::samples(probe.name)) :
+                               "",
+                             context.is_first_rank());
       }
   }
 
@@ -263,9 +259,7 @@ namespace seiche
         if (scalar && view.step == 0) // there is none before the first step
           result.back() = StatisticsTable::missing;
       }
-    Utilities::MPI::sum(ArrayView<const double>(result.data(), result.size()),
-                        communicator,
-                        ArrayView<double>(result.data(), result.size()));
+    sum_over_ranks(result, communicator);
     return result;
   }
 

@@ -3,6 +3,7 @@
 #include <seiche/parameters/nearest_name.h>
 #include <seiche/postprocess/run_up.h>
 #include <seiche/postprocess/wall_names.h>
+#include <seiche/utilities/over_ranks.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
@@ -55,12 +56,11 @@ namespace seiche
   }
 
   template <int dim>
-  RunUp<dim>::RunUp(const std::vector<RunUpParameters<dim>> &parameters,
-                    const BackgroundGrid<dim>               &background_grid,
-                    const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent)
+  RunUp<dim>::RunUp(const std::vector<Parameters>   &parameters,
+                    const PostprocessorContext<dim> &context)
     : run_ups(parameters)
-    , grid(background_grid)
-    , extent(fluid_extent)
+    , grid(context.grid)
+    , extent(context.extent)
   {
     const std::vector<std::string> names = wall_names(grid.parameters);
     for (const RunUpParameters<dim> &run_up : run_ups)

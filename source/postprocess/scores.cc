@@ -178,12 +178,12 @@ namespace seiche
 
     table = std::make_unique<const TimeTable>(
       input,
-      TimeTable::Entries{section + "/Reference table",
-                         parameters.table,
-                         section + "/Table columns",
-                         parameters.table_columns,
-                         section + "/Table factors",
-                         parameters.table_factors},
+      CsvCurve::Entries{section + "/Reference table",
+                        parameters.table,
+                        section + "/Table columns",
+                        parameters.table_columns,
+                        section + "/Table factors",
+                        parameters.table_factors},
       entry_of(interpolation_table, parameters.interpolation).value);
   }
 

@@ -2,6 +2,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/postprocess/tracked_points.h>
 #include <seiche/utilities/axis_names.h>
+#include <seiche/utilities/over_ranks.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -52,8 +53,8 @@ namespace seiche
   }
 
   template <int dim>
-  TrackedPoints<dim>::TrackedPoints(
-    const std::vector<TrackedPointParameters<dim>> &parameters)
+  TrackedPoints<dim>::TrackedPoints(const std::vector<Parameters> &parameters,
+                                    const PostprocessorContext<dim> &)
     : tracks(parameters)
   {}
 
@@ -114,9 +115,7 @@ namespace seiche
           found[t * (dim + 1) + d] = view.points.position(i)[d];
         found[t * (dim + 1) + dim] = 1.;
       }
-    Utilities::MPI::sum(ArrayView<const double>(found.data(), found.size()),
-                        view.points.communicator,
-                        ArrayView<double>(found.data(), found.size()));
+    sum_over_ranks(found, view.points.communicator);
 
     for (unsigned int t = 0; t < tracks.size(); ++t)
       {

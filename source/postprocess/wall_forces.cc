@@ -5,6 +5,7 @@
 #include <seiche/postprocess/wall_names.h>
 #include <seiche/scene/wall_slack.h>
 #include <seiche/utilities/axis_names.h>
+#include <seiche/utilities/over_ranks.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -165,11 +166,10 @@ namespace seiche
   }
 
   template <int dim>
-  WallForces<dim>::WallForces(
-    const std::vector<ForceParameters<dim>> &parameters,
-    const BackgroundGrid<dim>               &background_grid)
+  WallForces<dim>::WallForces(const std::vector<Parameters>   &parameters,
+                              const PostprocessorContext<dim> &context)
     : forces(parameters)
-    , grid(background_grid)
+    , grid(context.grid)
     , forces_of_wall(grid.parameters.walls.size())
   {
     const std::vector<std::string> names = wall_names(grid.parameters);
@@ -263,9 +263,7 @@ namespace seiche
       for (const unsigned int f : forces_of_wall[drag.wall])
         if (forces[f].face == "all")
           subtract(f, drag.node, drag.force);
-    Utilities::MPI::sum(ArrayView<const double>(sums.data(), sums.size()),
-                        view.points.communicator,
-                        ArrayView<double>(sums.data(), sums.size()));
+    sum_over_ranks(sums, view.points.communicator);
 
     if (view.step == 0) // nothing has pushed yet
       std::fill(sums.begin(),

@@ -3,6 +3,7 @@
 #include <seiche/postprocess/place_with_walls.h>
 #include <seiche/postprocess/water_level.h>
 #include <seiche/scene/wall_slack.h>
+#include <seiche/utilities/over_ranks.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -75,14 +76,13 @@ namespace seiche
   }
 
   template <int dim>
-  WaterLevel<dim>::WaterLevel(
-    const std::vector<GaugeParameters<dim>>       &parameters,
-    const BackgroundGrid<dim>                     &grid,
-    const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent)
+  WaterLevel<dim>::WaterLevel(const std::vector<Parameters>   &parameters,
+                              const PostprocessorContext<dim> &context)
     : gauges(parameters)
-    , box(grid.parameters)
-    , extent(fluid_extent)
+    , box(context.grid.parameters)
+    , extent(context.extent)
   {
+    const BackgroundGrid<dim> &grid = context.grid;
     // of the grid as it was: points keep their distances when walls move
     const unsigned int levels = grid.finest_level() - grid.lattice_level();
     for (unsigned int d = 0; d + 1 < dim; ++d)
@@ -177,9 +177,7 @@ namespace seiche
       }
     const MPI_Comm communicator = view.points.communicator;
     maximum_over_ranks(level, communicator);
-    Utilities::MPI::sum(ArrayView<const double>(depth.data(), depth.size()),
-                        communicator,
-                        ArrayView<double>(depth.data(), depth.size()));
+    sum_over_ranks(depth, communicator);
     for (unsigned int g = 0; g < gauges.size(); ++g)
       {
         const auto columns = gauges[g].columns();

@@ -70,85 +70,120 @@ namespace seiche
         report.header("going on from " + origin);
     }
 
-    /// Simulate, each time anew after a checkpoint of every n steps, until the
-    /// end or until the run is asked to stop. Collective.
+    /// A run: simulations that follow each other, each from a checkpoint of
+    /// the one before.
     template <int dim>
-    ExitCode
-    simulate(const CommandLine &command_line,
-             PlannedScene<dim> &planned,
-             const MPI_Comm     communicator)
+    class Run
     {
-      Scene<dim>  &scene       = planned.scene;
-      const double last_moment = wall_clock() + 3600. * command_line.max_hours;
-      const std::string &directory = command_line.output;
-      const bool         restarts  = command_line.restart;
-      TimerTree          timer;
-      RunReport    report({directory, scene.time.end_time, scene.test_log},
-                       communicator);
-      ResultFolder folder(directory, what_must_agree(planned), communicator);
+    public:
+      Run(const CommandLine &run_command_line,
+          PlannedScene<dim> &planned_scene,
+          const MPI_Comm     mpi_communicator)
+        : command_line(run_command_line)
+        , planned(planned_scene)
+        , scene(planned.scene)
+        , communicator(mpi_communicator)
+        , last_moment(wall_clock() + 3600. * command_line.max_hours)
+        , report({command_line.output, scene.time.end_time, scene.test_log},
+                 communicator)
+        , folder(command_line.output, what_must_agree(planned), communicator)
+      {}
 
-      std::unique_ptr<const Checkpoint> start;
-      std::string                       origin;
-      if (restarts)
-        {
-          if (folder.exists())
-            folder.take();
-          folder.checkpoints.require_any(folder.earlier.hint());
-          start  = folder.checkpoints.newest_usable(report);
-          origin = start->filename;
-        }
-      std::unique_ptr<Simulation<dim>> simulation;
-      const auto                       set_up = [&]() {
+      /// Until the end or until the run is asked to stop. Collective.
+      ExitCode
+      execute()
+      {
+        begin();
+        try
+          {
+            stop_signal::install();
+            if (simulate() == RunOutcome::finished)
+              return scene.postprocessors.rejects_run() ? ExitCode::rejected :
+                                                          ExitCode::finished;
+            stop_signal::ignore();
+            report.stop(fmt::format("stopped; to go on: seiche {} --output {} "
+                                    "--restart (and the same --set)",
+                                    command_line.filename,
+                                    command_line.output));
+            return ExitCode::stopped;
+          }
+        catch (const std::exception &error)
+          {
+            if (const std::string hint = folder.earlier.hint(); !hint.empty())
+              report.header(hint);
+            report.fail(failure_text(error));
+            throw;
+          }
+      }
+
+    private:
+      void
+      begin()
+      {
+        const bool  restarts = command_line.restart;
+        std::string origin;
+        if (restarts)
+          {
+            if (folder.exists())
+              folder.take();
+            folder.checkpoints.require_any(folder.earlier.hint());
+            start  = folder.checkpoints.newest_usable(report);
+            origin = start->filename;
+          }
+        set_up();
+
+        // all input is checked once the simulation is set up; only then may
+        // files of an earlier run be moved
+        if (!restarts)
+          folder.take();
+        introduce(planned, simulation->description(), origin, report);
+        if (!restarts)
+          folder.clear(report);
+        folder.begin(scene.input, planned.prm, report, restarts);
+      }
+
+      void
+      set_up()
+      {
         const TimerTree::Scope scope(timer, "set-up");
         simulation = std::make_unique<Simulation<dim>>(
-          planned, directory, report, timer, std::move(start));
-      };
-      set_up();
+          planned, command_line.output, report, timer, std::move(start));
+      }
 
-      // all input is checked once the simulation is set up; only then may
-      // files of an earlier run be moved
-      if (!restarts)
-        folder.take();
-      introduce(planned, simulation->description(), origin, report);
-      if (!restarts)
-        folder.clear(report);
-      folder.begin(scene.input, planned.prm, report, restarts);
-      try
-        {
-          stop_signal::install();
-          CheckpointSchedule schedule(scene.checkpoint,
-                                      directory,
-                                      last_moment,
-                                      communicator);
-          RunOutcome         outcome;
-          while (
-            (outcome =
-               simulation->run(schedule, folder.checkpoints, folder.earlier)) ==
-            RunOutcome::restart)
-            {
-              simulation.reset();
-              return_freed_memory(); // hardly anything is in use now
-              start = folder.checkpoints.last();
-              set_up();
-            }
-          if (outcome == RunOutcome::finished)
-            return scene.postprocessors.rejects_run() ? ExitCode::rejected :
-                                                        ExitCode::finished;
-          stop_signal::ignore();
-          report.stop(fmt::format("stopped; to go on: seiche {} --output {} "
-                                  "--restart (and the same --set)",
-                                  command_line.filename,
-                                  directory));
-        }
-      catch (const std::exception &error)
-        {
-          if (const std::string hint = folder.earlier.hint(); !hint.empty())
-            report.header(hint);
-          report.fail(failure_text(error));
-          throw;
-        }
-      return ExitCode::stopped;
-    }
+      /// Each time anew after a checkpoint of every n steps.
+      RunOutcome
+      simulate()
+      {
+        CheckpointSchedule schedule(scene.checkpoint,
+                                    command_line.output,
+                                    last_moment,
+                                    communicator);
+        RunOutcome         outcome;
+        while (
+          (outcome =
+             simulation->run(schedule, folder.checkpoints, folder.earlier)) ==
+          RunOutcome::restart)
+          {
+            simulation.reset();
+            return_freed_memory(); // hardly anything is in use now
+            start = folder.checkpoints.last();
+            set_up();
+          }
+        return outcome;
+      }
+
+      const CommandLine &command_line;
+      PlannedScene<dim> &planned;
+      Scene<dim>        &scene;
+      const MPI_Comm     communicator;
+      const double       last_moment; // on the wall clock [s]
+      TimerTree          timer;
+      RunReport          report;
+      ResultFolder       folder;
+
+      std::unique_ptr<const Checkpoint> start; // of the next simulation
+      std::unique_ptr<Simulation<dim>>  simulation;
+    };
 
     template <int dim>
     std::vector<Declaration>
@@ -178,7 +213,7 @@ namespace seiche
           validate(planned, command_line.output);
         return ExitCode::finished;
       }
-    return simulate(command_line, planned, communicator);
+    return Run<dim>(command_line, planned, communicator).execute();
   }
 
 

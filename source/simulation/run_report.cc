@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/summary_file.h>
-#include <seiche/utilities/readable.h>
+#include <seiche/simulation/summary_text.h>
 #include <seiche/utilities/result_names.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 
@@ -20,90 +17,8 @@ namespace seiche
 {
   namespace
   {
-    std::string
-    clock_time(const double seconds_from_now)
-    {
-      const std::time_t end =
-        std::time(nullptr) + static_cast<std::time_t>(seconds_from_now);
-      std::tm local{};
-      localtime_r(&end, &local);
-      return fmt::format("{:02}:{:02}", local.tm_hour, local.tm_min);
-    }
-
-    std::size_t
-    terminal_width()
-    {
-      winsize size{};
-      return (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1) ?
-               size.ws_col - 1 :
-               200;
-    }
-
-    // of a step; Krylov iterations depend on rounding and on preconditioners
-    constexpr unsigned int newton_range = 10, krylov_range = 200;
-
-    /// Counts differ a little between machines: "1-10", "11-100", ...
-    std::string
-    count_range(const double count, const unsigned int first)
-    {
-      if (count <= 0.)
-        return "0";
-      unsigned int lower = 0, upper = first;
-      while (count > upper)
-        {
-          lower = upper;
-          upper *= 10;
-        }
-      return fmt::format("{}-{}", lower + 1, upper);
-    }
-
-    /// Six digits; what is only rounding error is zero.
-    std::string
-    rounded(const double value)
-    {
-      return std::abs(value) < 1e-9 ? "0" : fmt::format("{:.6g}", value);
-    }
-
-    std::string
-    rounded(const nlohmann::ordered_json &value)
-    {
-      if (value.is_number_float())
-        return rounded(value.get<double>());
-      if (!value.is_array())
-        return value.dump();
-      std::string text;
-      for (const auto &entry : value)
-        text += (text.empty() ? "" : " ") + rounded(entry);
-      return text;
-    }
-
-    /// What the last line says of the alarms of a summary.
-    std::string
-    alarm_text(const nlohmann::ordered_json &summary)
-    {
-      std::string text;
-      if (summary.contains("alarms"))
-        for (const auto &[name, value] : summary["alarms"].items())
-          text += fmt::format("{} {} {:.2g} %",
-                              text.empty() ? "; BEWARE:" : ",",
-                              name,
-                              100. * value.get<double>());
-      return text;
-    }
-
-    /// What a line says of the verdicts of a summary.
-    std::string
-    verdict_text(const nlohmann::ordered_json &summary)
-    {
-      std::string text;
-      for (const auto &failed : summary["verdict"]["failed"])
-        text += (text.empty() ? "FAILED: " : "; ") + failed.get<std::string>();
-      return "verdict: " + (text.empty() ? "passed" : text);
-    }
-
-    constexpr unsigned int warnings_kept    = 100;
-    constexpr double       longest_estimate = 1e8; // [s]
-  }                                                // namespace
+    constexpr unsigned int warnings_kept = 100;
+  } // namespace
 
 
 
@@ -112,9 +27,8 @@ namespace seiche
     : options(run_options)
     , communicator(mpi_communicator)
     , speaks(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    , on_terminal(isatty(STDOUT_FILENO) == 1)
     , progress_file(run_options.test_mode ? "" : run_options.directory)
-    , rate_wall(wall_clock())
+    , remaining(run_options.end_time)
   {}
 
 
@@ -135,7 +49,7 @@ namespace seiche
           std::filesystem::remove(options.directory + "/" + of_finished);
       }
     if (options.test_mode)
-      test_output.open("output");
+      test_log.open();
   }
 
 
@@ -164,14 +78,7 @@ namespace seiche
       return;
     const double now   = wall_clock();
     const double share = time < options.end_time ? time / options.end_time : 1.;
-
-    // simulated seconds per wall second, averaged over some 20 steps
-    const double new_rate =
-      (time - rate_time) / std::max(now - rate_wall, 1e-9);
-    rate      = (rate == 0. ? new_rate : rate + 0.05 * (new_rate - rate));
-    rate_wall = now;
-    rate_time = time;
-
+    remaining.measure(time, now);
     const std::string line =
       fmt::format("{:3.0f} % | t {:.4g} of {:.4g} s | dt {:.1e} | "
                   "Newton {}, Krylov {} | energy {}",
@@ -184,8 +91,8 @@ namespace seiche
                   // at rest and without gravity there is nothing to relate to
                   std::isfinite(energy) ? fmt::format("{:.4f}", energy) : "-");
     write_log(line + "\n");
-    const double left = seconds_left();
-    progress_file.update({time, options.end_time, dt, left}, now);
+    progress_file.update({time, options.end_time, dt, remaining.seconds()},
+                         now);
 
     // one line per tenth in a test, per twentieth in a file
     const double parts = (options.test_mode ? 10. : 20.);
@@ -195,43 +102,15 @@ namespace seiche
     if (options.test_mode)
       {
         if (new_part)
-          test_line(fmt::format("t {} dt {} energy {} Newton {} Krylov {}",
-                                rounded(time),
-                                rounded(dt),
-                                rounded(energy),
-                                count_range(newton, newton_range),
-                                count_range(krylov, krylov_range)));
+          test_log.step(time, dt, energy, newton, krylov);
         return;
       }
     if (options.quiet ||
-        !(on_terminal ? (now - last_shown >= 1. || share >= 1.) : new_part))
+        !(progress_line.on_terminal ? (now - last_shown >= 1. || share >= 1.) :
+                                      new_part))
       return;
     last_shown = now;
-
-    std::string text = line;
-    if (left > 0. && left < longest_estimate)
-      text += fmt::format(" | {} left, ends {}",
-                          readable_duration(left),
-                          clock_time(left));
-    if (!on_terminal)
-      {
-        std::cout << text << std::endl;
-        return;
-      }
-    text                    = text.substr(0, terminal_width());
-    const std::size_t width = text.size();
-    if (width < progress_width)
-      text.append(progress_width - width, ' ');
-    progress_width = width;
-    std::cout << '\r' << text << std::flush;
-  }
-
-
-
-  double
-  RunReport::seconds_left() const
-  {
-    return (options.end_time - rate_time) / std::max(rate, 1e-300);
+    progress_line.show(line + remaining.text_with_end());
   }
 
 
@@ -239,12 +118,7 @@ namespace seiche
   std::string
   RunReport::time_left() const
   {
-    const double left = seconds_left();
-    if (options.test_mode || std::isnan(left))
-      return "";
-    return left < longest_estimate ?
-             ", " + readable_duration(left) + " left" :
-             ", more than " + readable_duration(longest_estimate) + " left";
+    return options.test_mode ? "" : remaining.text();
   }
 
 
@@ -292,7 +166,7 @@ namespace seiche
       {
         if (!speaks)
           return;
-        end_progress_line();
+        progress_line.end();
         write_log(text + "\n");
         progress_file.end("failed");
       }
@@ -309,9 +183,7 @@ namespace seiche
   {
     archive("warnings", warnings);
     archive("share", last_share);
-    archive("time", rate_time);
-    if (archive.loading())
-      rate_wall = wall_clock();
+    remaining.save_or_load(archive);
   }
 
 
@@ -323,8 +195,7 @@ namespace seiche
       return;
     print(text);
     progress_file.end("stopped");
-    if (test_output.is_open())
-      test_output.close();
+    test_log.close();
     if (log.is_open())
       log.close();
   }
@@ -339,19 +210,10 @@ namespace seiche
       complete_summary(summary, timer, communicator);
     if (!speaks)
       return;
-    end_progress_line();
+    progress_line.end();
     if (options.test_mode)
-      test_summary(complete);
-    if (complete.contains("warnings")) // of scores
-      for (const auto &text : complete["warnings"])
-        print("warning: " + text.get<std::string>());
-    for (const auto &[text, count] : warnings)
-      {
-        complete["warnings"].push_back(
-          count > 1 ? fmt::format("{} times: {}", count, text) : text);
-        if (count > 1)
-          print(fmt::format("warning: {} times: {}", count, text));
-      }
+      test_log.summary(complete);
+    repeat_warnings(complete);
 
     const std::string times = timer.report();
     header("\n" + times);
@@ -364,21 +226,11 @@ namespace seiche
                               stream << complete.dump(2) << '\n';
                             });
         progress_file.end("finished");
-        header(
-          fmt::format("finished{2}: results are in {0}/; look at "
-                      "{0}/summary.json and {0}/statistics.csv{1}",
-                      options.directory,
-                      alarm_text(complete),
-                      complete.contains("empty_since") ?
-                        fmt::format(", for no fluid is left since t = "
-                                    "{:.6g} s",
-                                    complete["empty_since"].get<double>()) :
-                        ""));
+        header(finished_text(complete, options.directory));
       }
     if (complete.contains("verdict")) // the last words
       header(verdict_text(complete));
-    if (test_output.is_open())
-      test_output.close();
+    test_log.close();
     if (log.is_open())
       log.close();
   }
@@ -386,20 +238,27 @@ namespace seiche
 
 
   void
-  RunReport::print(const std::string &text)
+  RunReport::repeat_warnings(nlohmann::ordered_json &complete)
   {
-    end_progress_line();
-    header(text);
+    if (complete.contains("warnings")) // of scores
+      for (const auto &text : complete["warnings"])
+        print("warning: " + text.get<std::string>());
+    for (const auto &[text, count] : warnings)
+      {
+        complete["warnings"].push_back(
+          count > 1 ? fmt::format("{} times: {}", count, text) : text);
+        if (count > 1)
+          print(fmt::format("warning: {} times: {}", count, text));
+      }
   }
 
 
 
   void
-  RunReport::end_progress_line()
+  RunReport::print(const std::string &text)
   {
-    if (progress_width > 0)
-      std::cout << std::endl;
-    progress_width = 0;
+    progress_line.end();
+    header(text);
   }
 
 
@@ -411,48 +270,5 @@ namespace seiche
       log.append(text);
     else if (!options.directory.empty())
       early_log += text;
-  }
-
-
-
-  void
-  RunReport::test_line(const std::string &text)
-  {
-    std::cout << text << std::endl;
-    if (test_output.is_open())
-      test_output.append(text + "\n");
-  }
-
-
-
-  void
-  RunReport::test_summary(const nlohmann::ordered_json &summary)
-  {
-    for (const char *key : {"dim",
-                            "points",
-                            "cells",
-                            "occupied_cells_max",
-                            "end_time",
-                            "steps",
-                            "rejected_steps",
-                            "accepted_failing_steps",
-                            "points_held_back"})
-      if (summary.contains(key))
-        test_line(fmt::format("{} {}", key, rounded(summary[key])));
-
-    const double steps = std::max(1., summary.value("steps", 1.));
-    for (const auto &[key, width] :
-         {std::make_pair("newton_iterations", newton_range),
-          std::make_pair("krylov_iterations", krylov_range)})
-      if (summary.contains(key) && summary[key].is_number())
-        test_line(
-          fmt::format("{} per step {}",
-                      key,
-                      count_range(summary[key].get<double>() / steps, width)));
-
-    for (const char *part : {"ledger", "errors"})
-      if (summary.contains(part))
-        for (const auto &[name, value] : summary[part].items())
-          test_line(fmt::format("{} {} {}", part, name, rounded(value)));
   }
 } // namespace seiche

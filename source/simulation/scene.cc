@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/parameters/input_reader.h>
+#include <seiche/parameters/input_problems.h>
 #include <seiche/scene/wall_motion.h>
 #include <seiche/scene/wall_velocity.h>
 #include <seiche/simulation/accepted_failures.h>
@@ -18,27 +18,6 @@ namespace seiche
 
   namespace
   {
-    /// InputError with the mistakes of all checks, which do not need each
-    /// other.
-    void
-    require_all(const std::vector<std::function<void()>> &checks)
-    {
-      std::vector<std::string> problems;
-      for (const auto &check : checks)
-        try
-          {
-            check();
-          }
-        catch (const InputError &error)
-          {
-            // a table may be read by several
-            if (std::find(problems.begin(), problems.end(), error.what()) ==
-                problems.end())
-              problems.emplace_back(error.what());
-          }
-      throw_problems(problems);
-    }
-
     /// What some walls, forces of sound and the error of a step need.
     template <int dim>
     void
@@ -48,22 +27,20 @@ namespace seiche
         !(scene.grid.any_unilateral() || scene.grid.any_friction() ||
           WallMotion<dim>(scene.grid, scene.input, scene.time.end_time)
             .any()) ||
-          scene.time_scheme.scheme == "generalized midpoint",
+          !scene.time_scheme.needs_acceleration(),
         "Time/Scheme",
         "unilateral walls, walls with friction and walls with a "
         "displacement need generalized midpoint: the other schemes carry an "
         "acceleration that jumps where the fluid meets a wall");
       scene.input.require(
-        scene.time_scheme.elastic_pressure == "end" ||
-          (scene.time_scheme.scheme == "generalized midpoint" &&
+        scene.time_scheme.is_elastic_at_end() ||
+          (!scene.time_scheme.needs_acceleration() &&
            !scene.fluid.is_incompressible()),
         "Time/Elastic pressure",
         "middle needs Scheme = generalized midpoint and a finite Fluid/Bulk "
         "modulus: an incompressible fluid has no sound; set it to end");
       scene.input.require(
-        !scene.time.controls_error() ||
-          scene.time_scheme.scheme != "generalized midpoint" ||
-          scene.time_scheme.rho_infinity == 1.,
+        !scene.time.controls_error() || scene.time_scheme.is_second_order(),
         "Time/Step control",
         "error needs a scheme of second order: set Rho infinity = 1");
     }
@@ -166,7 +143,7 @@ namespace seiche
     input_file.require(
       transfer_method(transfer.method).update !=
           VelocityUpdate::flip_acceleration ||
-        time_scheme.scheme == "newmark",
+        time_scheme.has_newmark_rule(),
       "Transfer/Method",
       "FLIP acceleration updates velocities by Newmark's rule: set Time/Scheme "
       "= newmark, or another method");
@@ -266,7 +243,7 @@ namespace seiche
   Scene<dim>::has_pressure_of_end() const
   {
     return formulation.is_mixed() && !fluid.is_incompressible() &&
-           time_scheme.elastic_pressure == "end";
+           time_scheme.is_elastic_at_end();
   }
 
   template <int dim>

@@ -79,10 +79,6 @@ namespace seiche
     , smallest_cell(finest_edge)
     , smallest_height(smallest_edge(scene.grid, dim - 1).edge)
   {
-    double         bottom = std::numeric_limits<double>::max();
-    double         top    = std::numeric_limits<double>::lowest();
-    double         square = 0., n = 0.;
-    Tensor<1, dim> sum;
     for (const Material &material : scene.materials)
       {
         density = std::max(density, material.density);
@@ -90,6 +86,30 @@ namespace seiche
           std::max(viscosity,
                    material.law->viscosity(usual_shear * usual_shear));
       }
+    measure_fluid(scene, bodies, samples, body_force);
+    for (const auto &track : scene.postprocessors.tracked_places())
+      if (!scene.grid.any_periodic() && // or near across a seam
+          std::all_of(bodies.begin(), bodies.end(), [&](const auto &body) {
+            return is_far(*body.region, track.place, finest_edge);
+          }))
+        lost_tracks.push_back(track.name);
+    if (body_force.tank.any())
+      for (const double t : sample_times(end_time))
+        for (const double angle : body_force.tank.at(t).angles)
+          turn = std::max(turn, std::abs(angle));
+  }
+
+  template <int dim>
+  void
+  SceneScales::measure_fluid(const Scene<dim>                    &scene,
+                             const std::vector<FluidBody<dim>>   &bodies,
+                             const std::vector<SampledBody<dim>> &samples,
+                             const BodyForce<dim>                &body_force)
+  {
+    double         bottom = std::numeric_limits<double>::max();
+    double         top    = std::numeric_limits<double>::lowest();
+    double         square = 0., n = 0.;
+    Tensor<1, dim> sum;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         const SampledBody<dim> &body = samples[b];
@@ -123,16 +143,6 @@ namespace seiche
           if (has_walls(scene.grid, d))
             sideways = std::max(sideways, std::abs(sum[d]) / n);
       }
-    for (const auto &track : scene.postprocessors.tracked_places())
-      if (!scene.grid.any_periodic() && // or near across a seam
-          std::all_of(bodies.begin(), bodies.end(), [&](const auto &body) {
-            return is_far(*body.region, track.place, finest_edge);
-          }))
-        lost_tracks.push_back(track.name);
-    if (body_force.tank.any())
-      for (const double t : sample_times(end_time))
-        for (const double angle : body_force.tank.at(t).angles)
-          turn = std::max(turn, std::abs(angle));
   }
 
   double

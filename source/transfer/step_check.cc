@@ -5,6 +5,7 @@
 #include <seiche/transfer/point_arrays.h>
 #include <seiche/transfer/transfer.h>
 #include <seiche/transfer/wall_faces.h>
+#include <seiche/utilities/over_ranks.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -73,14 +74,10 @@ namespace seiche
   StepCheck
   StepCheck::of_all_ranks(const MPI_Comm communicator) const
   {
-    const std::array<double, 4> own = {
+    std::array<double, 4> worst = {
       {-min_det_F, max_displacement, beyond_wall, finite ? 0. : 1.}};
-    std::array<double, 4> worst = own;
     if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-      dealii::Utilities::MPI::max(
-        dealii::ArrayView<const double>(own.data(), own.size()),
-        communicator,
-        dealii::ArrayView<double>(worst.data(), worst.size()));
+      maximum_over_ranks(worst, communicator);
     StepCheck result;
     result.min_det_F        = -worst[0];
     result.max_displacement = worst[1];

@@ -2,7 +2,7 @@
 // All postprocessors on a state whose fields are linear, so that probes and
 // error norms are exact, and whose forces can be counted by hand.
 #include <seiche/parameters/input_file.h>
-#include <seiche/postprocess/postprocessor_table.h>
+#include <seiche/postprocess/postprocessor_list.h>
 #include <seiche/utilities/exceptions.h>
 
 #include <deal.II/base/parameter_handler.h>

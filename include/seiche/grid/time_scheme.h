@@ -60,6 +60,31 @@ namespace seiche
     /// @p is_incompressible: mixed form, infinite bulk modulus.
     void
     check(const InputFile &input, const bool is_incompressible) const;
+
+    /// TimeScheme::needs_acceleration() of the scheme chosen.
+    bool
+    needs_acceleration() const;
+
+    /// True if accelerations at points integrate to the scheme's velocities by
+    /// Newmark's rule with gamma = 1/2.
+    bool
+    has_newmark_rule() const
+    {
+      return scheme == "newmark";
+    }
+
+    bool
+    is_second_order() const
+    {
+      return needs_acceleration() || rho_infinity == 1.;
+    }
+
+    /// True if the volume ratio of the pressure is that of the step's end.
+    bool
+    is_elastic_at_end() const
+    {
+      return elastic_pressure == "end";
+    }
   };
 
   /**

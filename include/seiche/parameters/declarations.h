@@ -43,6 +43,14 @@ namespace seiche
     /// The unit at the end of the text, "[Pa]", or empty.
     std::string
     unit() const;
+
+    /// `Allowed: a number >= 0 [Pa].` for messages.
+    std::string
+    allowed_text() const;
+
+    /// ` Meaning: Density of the fluid.`, without the unit at the end.
+    std::string
+    meaning_text() const;
   };
 
   /// All entries of @p prm, in the order of their declaration. No entry may
@@ -61,6 +69,10 @@ namespace seiche
   /// Part of a path before its last "/": the subsection, empty at the top.
   std::string
   subsection_name(const std::string &path);
+
+  /// `entry "E" in "S"`.
+  std::string
+  entry_in_words(const std::string &path);
 } // namespace seiche
 
 #endif

@@ -2,8 +2,7 @@
 #ifndef seiche_parameters_input_file_h
 #define seiche_parameters_input_file_h
 
-#include <seiche/parameters/input_reader.h>
-#include <seiche/parameters/scene_entries.h>
+#include <seiche/parameters/input_text.h>
 
 #include <set>
 #include <string>
@@ -16,8 +15,6 @@ namespace dealii
 
 namespace seiche
 {
-  struct Declaration;
-
   /**
    * @brief A parameter file with the place of every entry.
    *
@@ -131,24 +128,6 @@ namespace seiche
 
   private:
     InputFile() = default;
-
-    /// FILE:LINE of an entry; of its subsection, or of the end of the file,
-    /// if it is not set.
-    std::string
-    origin(const std::string &path) const;
-
-    void
-    check_names(const std::vector<Declaration> &known,
-                std::vector<std::string>       &problems) const;
-    /// True for "<kind> NAME".
-    bool
-    is_instance(const std::string &subsection) const;
-    std::string
-    unknown_subsection(const std::string           &path,
-                       const std::set<std::string> &known) const;
-    std::string
-    unknown_entry(const std::string              &path,
-                  const std::vector<Declaration> &known) const;
 
     InputText text;
     bool      documentation = false;

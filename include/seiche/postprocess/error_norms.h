@@ -2,8 +2,7 @@
 #ifndef seiche_postprocess_error_norms_h
 #define seiche_postprocess_error_norms_h
 
-#include <seiche/postprocess/nodal_pressure.h>
-#include <seiche/postprocess/postprocessor.h>
+#include <seiche/postprocess/postprocessor_context.h>
 #include <seiche/scene/expression.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -76,10 +75,10 @@ namespace seiche
   class ErrorNorm : public Postprocessor<dim>
   {
   public:
-    ErrorNorm(const ErrorParameters<dim>                &error_parameters,
-              const InputFile                           &input,
-              const BackgroundGrid<dim>                 &grid,
-              const std::shared_ptr<NodalPressure<dim>> &nodal_pressure);
+    using Parameters = ErrorParameters<dim>;
+
+    ErrorNorm(const Parameters                &error_parameters,
+              const PostprocessorContext<dim> &context);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;
@@ -108,7 +107,7 @@ namespace seiche
     double
     evaluate(const MPI_Comm communicator);
 
-    const ErrorParameters<dim>                parameters;
+    const Parameters                          parameters;
     const Expression<dim>                     exact;
     const dealii::BoundingBox<dim>            region;
     const std::shared_ptr<NodalPressure<dim>> pressure;

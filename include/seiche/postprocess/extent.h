@@ -4,8 +4,6 @@
 
 #include <seiche/postprocess/postprocessor.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <limits>
 #include <vector>
 
@@ -58,16 +56,6 @@ namespace seiche
     virtual Surface
     surface() const = 0;
   };
-
-  /// Of each of the @p values. Collective.
-  inline void
-  maximum_over_ranks(std::vector<double> &values, const MPI_Comm communicator)
-  {
-    dealii::Utilities::MPI::max(
-      dealii::ArrayView<const double>(values.data(), values.size()),
-      communicator,
-      dealii::ArrayView<double>(values.data(), values.size()));
-  }
 } // namespace seiche
 
 #endif

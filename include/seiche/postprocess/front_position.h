@@ -2,7 +2,7 @@
 #ifndef seiche_postprocess_front_position_h
 #define seiche_postprocess_front_position_h
 
-#include <seiche/postprocess/fluid_extent.h>
+#include <seiche/postprocess/postprocessor_context.h>
 
 #include <string>
 #include <vector>
@@ -53,10 +53,10 @@ namespace seiche
   class FrontPosition : public Postprocessor<dim>
   {
   public:
-    /// @p grid must outlive the object.
-    FrontPosition(const std::vector<FrontParameters<dim>>       &parameters,
-                  const BackgroundGrid<dim>                     &grid,
-                  const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent);
+    using Parameters = FrontParameters<dim>;
+
+    FrontPosition(const std::vector<Parameters>   &parameters,
+                  const PostprocessorContext<dim> &context);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;

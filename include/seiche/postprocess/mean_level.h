@@ -2,7 +2,7 @@
 #ifndef seiche_postprocess_mean_level_h
 #define seiche_postprocess_mean_level_h
 
-#include <seiche/postprocess/fluid_extent.h>
+#include <seiche/postprocess/postprocessor_context.h>
 
 namespace seiche
 {
@@ -24,8 +24,7 @@ namespace seiche
   public:
     static constexpr const char *column = "mean level [m]";
 
-    explicit MeanLevel(
-      const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent);
+    explicit MeanLevel(const PostprocessorContext<dim> &context);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;

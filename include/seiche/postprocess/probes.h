@@ -2,8 +2,7 @@
 #ifndef seiche_postprocess_probes_h
 #define seiche_postprocess_probes_h
 
-#include <seiche/postprocess/nodal_pressure.h>
-#include <seiche/postprocess/postprocessor.h>
+#include <seiche/postprocess/postprocessor_context.h>
 #include <seiche/postprocess/sensor_signal.h>
 
 #include <deque>
@@ -69,12 +68,10 @@ namespace seiche
   class Probes : public Postprocessor<dim>
   {
   public:
-    /// @p directory empty: no files of its own. One rank writes them.
-    Probes(const std::vector<ProbeParameters<dim>>   &parameters,
-           const BackgroundGrid<dim>                 &grid,
-           const std::shared_ptr<NodalPressure<dim>> &nodal_pressure,
-           const std::string                         &directory,
-           const bool                                 writes = true);
+    using Parameters = ProbeParameters<dim>;
+
+    Probes(const std::vector<Parameters>   &parameters,
+           const PostprocessorContext<dim> &context);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;

@@ -2,7 +2,7 @@
 #ifndef seiche_postprocess_run_up_h
 #define seiche_postprocess_run_up_h
 
-#include <seiche/postprocess/fluid_extent.h>
+#include <seiche/postprocess/postprocessor_context.h>
 
 #include <string>
 #include <vector>
@@ -43,10 +43,10 @@ namespace seiche
   class RunUp : public Postprocessor<dim>
   {
   public:
-    /// @p background_grid must outlive the object.
-    RunUp(const std::vector<RunUpParameters<dim>>       &parameters,
-          const BackgroundGrid<dim>                     &background_grid,
-          const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent);
+    using Parameters = RunUpParameters<dim>;
+
+    RunUp(const std::vector<Parameters>   &parameters,
+          const PostprocessorContext<dim> &context);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;

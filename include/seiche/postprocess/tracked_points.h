@@ -3,6 +3,7 @@
 #define seiche_postprocess_tracked_points_h
 
 #include <seiche/postprocess/postprocessor.h>
+#include <seiche/postprocess/postprocessor_context.h>
 
 #include <string>
 #include <vector>
@@ -45,8 +46,10 @@ namespace seiche
   class TrackedPoints : public Postprocessor<dim>
   {
   public:
-    explicit TrackedPoints(
-      const std::vector<TrackedPointParameters<dim>> &parameters);
+    using Parameters = TrackedPointParameters<dim>;
+
+    TrackedPoints(const std::vector<Parameters> &parameters,
+                  const PostprocessorContext<dim> &);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;

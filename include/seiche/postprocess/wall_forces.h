@@ -3,6 +3,7 @@
 #define seiche_postprocess_wall_forces_h
 
 #include <seiche/postprocess/postprocessor.h>
+#include <seiche/postprocess/postprocessor_context.h>
 
 #include <string>
 #include <vector>
@@ -50,8 +51,10 @@ namespace seiche
   class WallForces : public Postprocessor<dim>
   {
   public:
-    WallForces(const std::vector<ForceParameters<dim>> &parameters,
-               const BackgroundGrid<dim>               &background_grid);
+    using Parameters = ForceParameters<dim>;
+
+    WallForces(const std::vector<Parameters>   &parameters,
+               const PostprocessorContext<dim> &context);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;

@@ -2,7 +2,7 @@
 #ifndef seiche_postprocess_water_level_h
 #define seiche_postprocess_water_level_h
 
-#include <seiche/postprocess/fluid_extent.h>
+#include <seiche/postprocess/postprocessor_context.h>
 
 #include <limits>
 #include <string>
@@ -52,10 +52,10 @@ namespace seiche
   class WaterLevel : public Postprocessor<dim>
   {
   public:
-    /// @p grid must outlive the object.
-    WaterLevel(const std::vector<GaugeParameters<dim>>       &parameters,
-               const BackgroundGrid<dim>                     &grid,
-               const std::shared_ptr<FluidExtentOfStep<dim>> &fluid_extent);
+    using Parameters = GaugeParameters<dim>;
+
+    WaterLevel(const std::vector<Parameters>   &parameters,
+               const PostprocessorContext<dim> &context);
 
     void
     execute(const StepView<dim> &view, StatisticsTable &statistics) override;

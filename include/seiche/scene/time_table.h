@@ -2,6 +2,8 @@
 #ifndef seiche_scene_time_table_h
 #define seiche_scene_time_table_h
 
+#include <seiche/scene/csv_curve.h>
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,10 +21,6 @@ namespace seiche
   /**
    * @brief A curve, value against time, from a CSV file: a measured reference,
    * or a signal that moves something.
-   *
-   * Comma separated, one header line; lines that start with "#" and rows
-   * whose two fields are empty (columns of unequal length) are skipped. The
-   * times must increase.
    */
   class TimeTable
   {
@@ -34,19 +32,10 @@ namespace seiche
       cubic  ///< natural cubic spline: two continuous derivatives
     };
 
-    /// Texts of the entries that choose a table, and the paths of the entries.
-    struct Entries
-    {
-      std::string file_path, file;       ///< relative to the parameter file
-      std::string columns_path, columns; ///< of time and value, from 0
-      std::string factors_path, factors; ///< of both, to SI units
-    };
-
-    /// Reads the file. InputError with the place of the entry, and the line of
-    /// the file, if an entry or the file is not as it should be. Local.
-    TimeTable(const InputFile    &input,
-              const Entries      &entries,
-              const Interpolation interpolation);
+    /// InputError as CsvCurve, or if the interpolation needs more rows. Local.
+    TimeTable(const InputFile         &input,
+              const CsvCurve::Entries &entries,
+              const Interpolation      interpolation);
 
     /// True if @p time lies between the first and the last row.
     bool

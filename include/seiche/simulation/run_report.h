@@ -3,6 +3,9 @@
 #define seiche_simulation_run_report_h
 
 #include <seiche/simulation/progress_file.h>
+#include <seiche/simulation/progress_line.h>
+#include <seiche/simulation/remaining_time.h>
+#include <seiche/simulation/test_log.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/state_archive.h>
 #include <seiche/utilities/timer_tree.h>
@@ -24,9 +27,7 @@ namespace seiche
    * elsewhere one line is printed per 5 % of the simulated time. run.log gets
    * a plain line a step.
    *
-   * In test mode only a compact log without times and machine data is
-   * printed; the same text goes to a file "output" in the current directory,
-   * which the test driver compares.
+   * In test mode only the compact TestLog is printed.
    */
   class RunReport
   {
@@ -107,36 +108,29 @@ namespace seiche
     /// A line for screen and run.log that ends a progress line first.
     void
     print(const std::string &text);
-    /// Wall time to the end [s].
-    double
-    seconds_left() const;
+    /// Those of scores, and the counts of all others, which complete the
+    /// summary.
     void
-    end_progress_line();
+    repeat_warnings(nlohmann::ordered_json &complete);
     /// A line for run.log alone.
     void
     write_log(const std::string &text);
-    void
-    test_line(const std::string &text);
-    void
-    test_summary(const nlohmann::ordered_json &summary);
 
     const Options  options;
     const MPI_Comm communicator;
     const bool     speaks; // rank 0
-    const bool     on_terminal;
 
-    GrowingFile  log, test_output;
-    ProgressFile progress_file;
-    std::string  early_log; // before open_files()
+    GrowingFile   log;
+    TestLog       test_log;
+    ProgressFile  progress_file;
+    ProgressLine  progress_line;
+    RemainingTime remaining;
+    std::string   early_log; // before open_files()
 
     std::vector<std::pair<std::string, unsigned int>> warnings;
 
-    std::size_t progress_width = 0;   // of the line on the terminal
-    double      last_shown     = -1.; // wall seconds
-    double      last_share     = 0.;
-    double      rate           = 0.; // simulated seconds per wall second
-    double      rate_wall      = 0.; // wall seconds at the last step
-    double      rate_time      = 0.; // [s] simulated time then
+    double last_shown = -1.; // wall seconds
+    double last_share = 0.;
   };
 } // namespace seiche
 

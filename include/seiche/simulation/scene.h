@@ -9,7 +9,7 @@
 #include <seiche/materials/fluid_parameters.h>
 #include <seiche/parameters/input_file.h>
 #include <seiche/points/seeding.h>
-#include <seiche/postprocess/postprocessor_table.h>
+#include <seiche/postprocess/postprocessor_list.h>
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/scene/background_grid.h>
 #include <seiche/scene/body_force.h>

@@ -62,6 +62,14 @@ namespace seiche
     expected_step() const;
 
   private:
+    /// Mass, extent, force and speed of the bodies at the start.
+    template <int dim>
+    void
+    measure_fluid(const Scene<dim>                    &scene,
+                  const std::vector<FluidBody<dim>>   &bodies,
+                  const std::vector<SampledBody<dim>> &samples,
+                  const BodyForce<dim>                &body_force);
+
     double
     wave_speed() const;
 

@@ -1,165 +1,100 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
 #include <seiche/postprocess/alarms.h>
-#include <seiche/postprocess/error_norms.h>
-#include <seiche/postprocess/front_position.h>
 #include <seiche/postprocess/grid_output.h>
 #include <seiche/postprocess/mass_and_energy.h>
-#include <seiche/postprocess/mean_level.h>
 #include <seiche/postprocess/output_parameters.h>
 #include <seiche/postprocess/paraview_state.h>
 #include <seiche/postprocess/point_output.h>
 #include <seiche/postprocess/point_series.h>
+#include <seiche/postprocess/postprocessor_list.h>
 #include <seiche/postprocess/postprocessor_table.h>
-#include <seiche/postprocess/probes.h>
-#include <seiche/postprocess/run_up.h>
 #include <seiche/postprocess/scores.h>
 #include <seiche/postprocess/surface_output.h>
-#include <seiche/postprocess/tracked_points.h>
 #include <seiche/postprocess/verdicts.h>
-#include <seiche/postprocess/wall_forces.h>
 #include <seiche/postprocess/walls_output.h>
-#include <seiche/postprocess/water_level.h>
 #include <seiche/scene/entry_values.h>
-#include <seiche/utilities/exceptions.h>
-
-#include <deal.II/base/parameter_handler.h>
-
-#include <algorithm>
 
 namespace seiche
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// The subsections "KIND NAME" of the file, in its order.
-    template <typename Parameters>
-    std::vector<Parameters>
-    find_instances(const InputFile &input)
-    {
-      std::vector<Parameters> result;
-      for (const std::string &name : input.instances(Parameters::kind))
-        {
-          result.emplace_back();
-          result.back().name = name;
-        }
-      return result;
-    }
-
-    template <typename Parameters>
-    void
-    declare(std::vector<Parameters> &instances, ParameterHandler &prm)
-    {
-      for (Parameters &instance : instances)
-        {
-          prm.enter_subsection(std::string(Parameters::kind) + " " +
-                               instance.name);
-          instance.add_parameters(prm);
-          prm.leave_subsection();
-        }
-    }
-
-    /// Check the instances and note the columns that they will add.
-    template <typename Parameters, int dim>
-    void
-    check_instances(const std::vector<Parameters> &instances,
-                    const InputFile               &input,
-                    const GridParameters<dim>     &grid,
-                    std::vector<std::string>      &columns)
-    {
-      for (const Parameters &instance : instances)
-        {
-          instance.check(input, grid);
-          for (const std::string &column : instance.columns())
-            {
-              if (std::find(columns.begin(), columns.end(), column) !=
-                  columns.end())
-                throw InputError(input.filename + ": subsection \"" +
-                                 Parameters::kind + " " + instance.name +
-                                 "\": there is a column \"" + column +
-                                 "\" already; choose another name.");
-              columns.push_back(column);
-            }
-        }
-    }
-  } // namespace
 
   template <int dim>
   struct PostprocessorList<dim>::Implementation
   {
     explicit Implementation(const InputFile &input_file)
       : input(input_file)
-      , fronts(find_instances<FrontParameters<dim>>(input_file))
-      , gauges(find_instances<GaugeParameters<dim>>(input_file))
-      , run_ups(find_instances<RunUpParameters<dim>>(input_file))
-      , probes(find_instances<ProbeParameters<dim>>(input_file))
-      , tracks(find_instances<TrackedPointParameters<dim>>(input_file))
-      , forces(find_instances<ForceParameters<dim>>(input_file))
-      , errors(find_instances<ErrorParameters<dim>>(input_file))
-      , score_parameters(find_instances<ScoreParameters>(input_file))
-      , verdicts(find_instances<VerdictParameters>(input_file))
-    {}
+    {
+      for_each_row([&](auto &row) { row.find(input); });
+      score_parameters.find(input);
+      verdicts.find(input);
+    }
+
+    template <typename Function>
+    void
+    for_each_row(const Function &function)
+    {
+      std::apply([&](auto &...row) { (function(row), ...); }, rows);
+    }
+
+    template <typename Made>
+    const Instances<typename Made::Parameters> &
+    instances() const
+    {
+      return std::get<BySubsections<dim, Made>>(rows).instances;
+    }
 
     /// Output objects; nothing is made without an interval.
     void
-    make_frames(const std::string         &directory,
-                const BackgroundGrid<dim> &grid,
-                const MPI_Comm             communicator);
+    make_frames(const PostprocessorContext<dim> &context);
 
     const InputFile &input;
 
-    OutputParameters                         output;
-    std::vector<FrontParameters<dim>>        fronts;
-    std::vector<GaugeParameters<dim>>        gauges;
-    std::vector<RunUpParameters<dim>>        run_ups;
-    std::vector<ProbeParameters<dim>>        probes;
-    std::vector<TrackedPointParameters<dim>> tracks;
-    std::vector<ForceParameters<dim>>        forces;
-    std::vector<ErrorParameters<dim>>        errors;
-    std::vector<ScoreParameters>             score_parameters;
-    std::vector<VerdictParameters>           verdicts;
+    OutputParameters             output;
+    PostprocessorTable<dim>      rows;
+    Instances<ScoreParameters>   score_parameters;
+    Instances<VerdictParameters> verdicts;
 
-    std::shared_ptr<NodalPressure<dim>>              pressure;
-    std::shared_ptr<FluidExtentOfStep<dim>>          extent;
-    std::vector<std::unique_ptr<Postprocessor<dim>>> list;
-    const MassAndEnergy<dim>                        *ledger = nullptr;
-    const Alarms<dim>                               *alarms = nullptr;
-    std::vector<Score>                               scores;
-    bool                                             rejects = false;
+    std::shared_ptr<NodalPressure<dim>>     pressure;
+    std::shared_ptr<FluidExtentOfStep<dim>> extent;
+    Postprocessors<dim>                     list;
+    const MassAndEnergy<dim>               *ledger = nullptr;
+    const Alarms<dim>                      *alarms = nullptr;
+    std::vector<Score>                      scores;
+    bool                                    rejects = false;
   };
 
   template <int dim>
   void
   PostprocessorList<dim>::Implementation::make_frames(
-    const std::string         &directory,
-    const BackgroundGrid<dim> &grid,
-    const MPI_Comm             communicator)
+    const PostprocessorContext<dim> &context)
   {
-    if (directory.empty() || output.interval == 0.)
+    if (context.directory.empty() || output.interval == 0.)
       return;
-    const FrameSettings settings{directory,
+    const FrameSettings settings{context.directory,
                                  output.interval,
                                  entry_values::number(input,
                                                       "Time/End time",
                                                       input.value(
                                                         "Time/End time"))};
     if (output.grid)
-      list.push_back(
-        std::make_unique<GridOutput<dim>>(settings, pressure, communicator));
+      list.push_back(std::make_unique<GridOutput<dim>>(settings,
+                                                       pressure,
+                                                       context.communicator));
     if (output.points)
       list.push_back(
-        std::make_unique<PointOutput<dim>>(settings, communicator));
+        std::make_unique<PointOutput<dim>>(settings, context.communicator));
     if (output.surface)
       list.push_back(
-        std::make_unique<SurfaceOutput<dim>>(settings, communicator));
+        std::make_unique<SurfaceOutput<dim>>(settings, context.communicator));
     if (output.series)
       list.push_back(
-        std::make_unique<PointSeries<dim>>(settings, communicator));
-    list.push_back(
-      std::make_unique<WallsOutput<dim>>(settings, grid, communicator));
-    list.push_back(
-      std::make_unique<ParaViewState<dim>>(directory, communicator));
+        std::make_unique<PointSeries<dim>>(settings, context.communicator));
+    list.push_back(std::make_unique<WallsOutput<dim>>(settings,
+                                                      context.grid,
+                                                      context.communicator));
+    list.push_back(std::make_unique<ParaViewState<dim>>(context.directory,
+                                                        context.communicator));
   }
 
   template <int dim>
@@ -175,15 +110,9 @@ namespace seiche
   PostprocessorList<dim>::add_parameters(ParameterHandler &prm)
   {
     implementation->output.add_parameters(prm);
-    declare(implementation->fronts, prm);
-    declare(implementation->gauges, prm);
-    declare(implementation->run_ups, prm);
-    declare(implementation->probes, prm);
-    declare(implementation->tracks, prm);
-    declare(implementation->forces, prm);
-    declare(implementation->errors, prm);
-    declare(implementation->score_parameters, prm);
-    declare(implementation->verdicts, prm);
+    implementation->for_each_row([&](auto &row) { row.add_parameters(prm); });
+    implementation->score_parameters.add_parameters(prm);
+    implementation->verdicts.add_parameters(prm);
   }
 
   template <int dim>
@@ -201,15 +130,9 @@ namespace seiche
     if (tank_moves)
       for (const std::string &column : TankRecord<dim>::columns())
         columns.push_back(column);
-    if (all.output.mean_level)
-      columns.emplace_back(MeanLevel<dim>::column);
-    check_instances(all.fronts, all.input, grid, columns);
-    check_instances(all.gauges, all.input, grid, columns);
-    check_instances(all.run_ups, all.input, grid, columns);
-    check_instances(all.probes, all.input, grid, columns);
-    check_instances(all.tracks, all.input, grid, columns);
-    check_instances(all.forces, all.input, grid, columns);
-    check_instances(all.errors, all.input, grid, columns);
+    all.for_each_row([&](const auto &row) {
+      row.check(all.input, grid, all.output, columns);
+    });
     std::vector<std::string> numbers = other_numbers;
     const auto add = [&numbers](const std::vector<std::string> &names) {
       numbers.insert(numbers.end(), names.begin(), names.end());
@@ -255,35 +178,13 @@ namespace seiche
     all.alarms  = alarms.get();
     all.list.push_back(std::move(alarms));
 
-    // THE table of postprocessors: one line a kind
-    if (!all.fronts.empty())
-      all.list.push_back(
-        std::make_unique<FrontPosition<dim>>(all.fronts, grid, all.extent));
-    if (!all.gauges.empty())
-      all.list.push_back(
-        std::make_unique<WaterLevel<dim>>(all.gauges, grid, all.extent));
-    if (!all.run_ups.empty())
-      all.list.push_back(
-        std::make_unique<RunUp<dim>>(all.run_ups, grid, all.extent));
-    if (all.output.mean_level)
-      all.list.push_back(std::make_unique<MeanLevel<dim>>(all.extent));
-    if (!all.probes.empty())
-      all.list.push_back(std::make_unique<Probes<dim>>(
-        all.probes,
-        grid,
-        all.pressure,
-        directory,
-        Utilities::MPI::this_mpi_process(communicator) == 0));
-    if (!all.tracks.empty())
-      all.list.push_back(std::make_unique<TrackedPoints<dim>>(all.tracks));
-    if (!all.forces.empty())
-      all.list.push_back(std::make_unique<WallForces<dim>>(all.forces, grid));
-    for (const auto &error : all.errors)
-      all.list.push_back(
-        std::make_unique<ErrorNorm<dim>>(error, all.input, grid, all.pressure));
+    const PostprocessorContext<dim> context{
+      all.input, grid, all.pressure, all.extent, directory, communicator};
+    all.for_each_row(
+      [&](const auto &row) { row.make(context, all.output, all.list); });
     for (const ScoreParameters &score : all.score_parameters)
       all.scores.emplace_back(score, all.input);
-    all.make_frames(directory, grid, communicator);
+    all.make_frames(context);
   }
 
   template <int dim>
@@ -345,7 +246,7 @@ namespace seiche
   bool
   PostprocessorList<dim>::measure_forces() const
   {
-    return !implementation->forces.empty();
+    return !implementation->template instances<WallForces<dim>>().empty();
   }
 
   template <int dim>
@@ -353,11 +254,12 @@ namespace seiche
   PostprocessorList<dim>::places() const
   {
     std::vector<NamedPlace<dim>> result;
-    for (const auto &probe : implementation->probes)
+    for (const auto &probe : implementation->template instances<Probes<dim>>())
       result.push_back({probe.name, probe.position});
     for (const NamedPlace<dim> &track : tracked_places())
       result.push_back(track);
-    for (const auto &gauge : implementation->gauges)
+    for (const auto &gauge :
+         implementation->template instances<WaterLevel<dim>>())
       result.push_back({gauge.name, gauge.position});
     return result;
   }
@@ -367,7 +269,8 @@ namespace seiche
   PostprocessorList<dim>::tracked_places() const
   {
     std::vector<NamedPlace<dim>> result;
-    for (const auto &track : implementation->tracks)
+    for (const auto &track :
+         implementation->template instances<TrackedPoints<dim>>())
       result.push_back({track.name, track.position});
     return result;
   }
