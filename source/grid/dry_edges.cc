@@ -7,6 +7,15 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    bool
+    has_several(const unsigned int components)
+    {
+      return (components & (components - 1u)) != 0;
+    }
+  } // namespace
+
   template <int dim>
   DryEdges<dim>::DryEdges(Occupancy<dim> &grid_occupancy)
     : occupancy(grid_occupancy)
@@ -20,10 +29,12 @@ namespace seiche
     nodes.clear();
     if (!exist)
       return;
-    const auto               &locator = occupancy.locator;
-    std::vector<unsigned int> wet(occupancy.n_own_nodes(), 0);
-    std::vector<char>         has_fluid(occupancy.n_own_nodes(), 0);
-    const auto                look_at = [&](const unsigned int cell) {
+    const auto                 &locator = occupancy.locator;
+    const unsigned int          n_own   = occupancy.n_own_nodes();
+    std::vector<unsigned int>   wet(n_own, 0), concave(n_own, 0);
+    std::vector<Tensor<1, dim>> area(n_own);
+    std::vector<char>           has_fluid(n_own, 0);
+    const auto                  look_at = [&](const unsigned int cell) {
       for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
         {
           // for a hanging node: with degree 1 its master in the same corner
@@ -35,21 +46,30 @@ namespace seiche
           if (occupancy.fe.degree > 1 &&
               occupancy.mesh_nodes.hanging.hangs(cell, a))
             wet[node] = ~0u; // masters lie elsewhere: all stays fixed
+          unsigned int of_cell = 0;
           for (const unsigned int face : GeometryInfo<dim>::face_indices())
             if (line_index<dim>(occupancy.fe.degree, a, face / 2) ==
                   (face % 2) * occupancy.fe.degree &&
                 locator.boundary_id(cell, face) !=
                   numbers::internal_face_boundary_id)
-              wet[node] |= 1u << (face / 2);
+              {
+                of_cell |= 1u << (face / 2);
+                area[node][face / 2] += (face % 2 == 0 ? 1. : -1.) *
+                                        locator.geometry(cell).measure /
+                                        locator.geometry(cell).edges[face / 2];
+              }
+          wet[node] |= of_cell;
+          if (has_several(of_cell))
+            concave[node] |= of_cell;
         }
     };
     // the inside of a surface along a face may reach a little beyond the edge
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
       if (occupancy.holds_points(cell))
         look_at(cell);
-    for (unsigned int node = 0; node < wet.size(); ++node)
+    for (unsigned int node = 0; node < n_own; ++node)
       if (has_fluid[node])
-        nodes.push_back({node, wet[node]});
+        nodes.push_back({node, wet[node], concave[node], area[node]});
   }
 
   template <int dim>
@@ -100,7 +120,7 @@ namespace seiche
   {
     if (!exist)
       return;
-    for (const auto &[node, wet_components] : nodes)
+    for (const auto &[node, wet_components, concave, area] : nodes)
       {
         const unsigned int faces = obstacle_components(node);
         const unsigned int wet   = faces & wet_components;
@@ -112,8 +132,18 @@ namespace seiche
               free &= ~(1u << slowest);
           }
         occupancy.constraints.set_dry(node, free);
+        if (has_several(wet) && !has_several(wet & concave))
+          {
+            Tensor<1, dim> normal;
+            for (unsigned int c = 0; c < dim; ++c)
+              if ((wet >> c) & 1u)
+                normal[c] = area[c];
+            occupancy.constraints.set_oblique(node,
+                                              wet,
+                                              normal / normal.norm());
+          }
       }
-    occupancy.constraints.share();
+    occupancy.constraints.share_obliques();
   }
 
   template class DryEdges<2>;

@@ -48,40 +48,44 @@ namespace seiche
 
   template <int dim>
   double
-  WallConditions<dim>::velocity(const unsigned int i,
-                                const double       time,
-                                const double       dt) const
+  WallConditions<dim>::velocity(const WallDirection<dim> &direction,
+                                const double              time,
+                                const double              dt) const
   {
     if (!moving)
       return 0.;
-    const unsigned int decides = side(i / dim, i % dim);
-    return decides == dealii::numbers::invalid_unsigned_int ?
-             component(i / dim, i % dim, time) :
-             wall_motion.velocity(decides, time, dt);
+    return direction.project([&](const unsigned int c) {
+      const unsigned int decides = side(direction.node, c);
+      return decides == dealii::numbers::invalid_unsigned_int ?
+               component(direction.node, c, time) :
+               wall_motion.velocity(decides, time, dt);
+    });
   }
 
   template <int dim>
   double
   WallConditions<dim>::displacement(
-    const unsigned int                     i,
+    const WallDirection<dim>              &direction,
     const GridState<dim>                  &state,
     const StepCoefficients                &coefficients,
     const typename GridState<dim>::Vector &rate_offset) const
   {
-    const double       end = state.time + state.dt;
-    const unsigned int decides =
-      moving ? side(i / dim, i % dim) : dealii::numbers::invalid_unsigned_int;
-    const double theta = coefficients.theta;
-    const double v0    = state.velocity_start.local_element(i);
+    // a moving side has no oblique directions
+    const double       end     = state.time + state.dt;
+    const unsigned int decides = moving && direction.component < dim ?
+                                   side(direction.node, direction.component) :
+                                   dealii::numbers::invalid_unsigned_int;
+    const double       theta   = coefficients.theta;
+    const double       v0      = direction.of(state.velocity_start);
     // the grid line's own way: no point may be left behind a piston
     if (decides != dealii::numbers::invalid_unsigned_int &&
         wall_motion.moves(decides))
       return wall_motion.displacement(decides, end) -
              wall_motion.displacement(decides, state.time) +
              (1. - theta) / coefficients.rate *
-               (v0 - velocity(i, state.time, state.dt));
-    const double v1 = velocity(i, end, state.dt);
-    return (theta * v1 + (1. - theta) * v0 - rate_offset.local_element(i)) /
+               (v0 - velocity(direction, state.time, state.dt));
+    const double v1 = velocity(direction, end, state.dt);
+    return (theta * v1 + (1. - theta) * v0 - direction.of(rate_offset)) /
            coefficients.rate;
   }
 
@@ -90,8 +94,9 @@ namespace seiche
   WallConditions<dim>::set_start_velocity(GridState<dim> &state) const
   {
     state.velocity_start = state.velocity_n;
-    occupancy.constraints.for_each_fixed([&](const unsigned int i) {
-      state.velocity_start.local_element(i) = velocity(i, state.time, state.dt);
+    occupancy.constraints.for_each_fixed([&](const auto &direction) {
+      direction.set(state.velocity_start,
+                    velocity(direction, state.time, state.dt));
     });
     state.velocity_start.update_ghost_values();
   }
@@ -105,9 +110,9 @@ namespace seiche
   {
     if (!moving)
       return;
-    occupancy.constraints.for_each_fixed([&](const unsigned int i) {
-      state.displacement().local_element(i) =
-        displacement(i, state, coefficients, rate_offset);
+    occupancy.constraints.for_each_fixed([&](const auto &direction) {
+      direction.set(state.displacement(),
+                    displacement(direction, state, coefficients, rate_offset));
     });
     state.solution.update_ghost_values();
   }

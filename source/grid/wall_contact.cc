@@ -46,38 +46,39 @@ namespace seiche
     const auto &locator = occupancy.locator;
     contacts.clear();
     for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          bool unilateral =
-            ((occupancy.constraints.dry_components(node) >> c) & 1u) == 0 &&
-            (closed == nullptr || !closed->holds_node(node));
-          unsigned int sides  = 0;
-          double       extent = std::numeric_limits<double>::max();
-          double       width  = extent;
-          for (const auto &entry : occupancy.constraints.walls_at(node))
-            if (entry.component == c)
-              {
-                unilateral =
-                  unilateral && locator.grid.wall(entry.wall).condition ==
-                                  WallCondition::unilateral;
-                sides |= entry.sides;
-                const double edge = locator.geometry(entry.cell).edges[c];
-                extent            = std::min(extent, edge);
-                width =
-                  std::min(width,
-                           line_integrals(occupancy.degree(entry.cell))[0] *
-                             edge);
-              }
-          if (unilateral && (sides == 1u || sides == 2u))
-            contacts.push_back({node,
-                                c,
-                                sides == 1u ? 1. : -1.,
-                                extent,
-                                width,
-                                /*pressing=*/0.,
-                                /*margin=*/0.,
-                                /*releases=*/0});
-        }
+      if (closed == nullptr || !closed->holds_node(node))
+        occupancy.constraints.for_each_held(
+          node,
+          [&](const WallDirection<dim> &direction,
+              const unsigned int        components) {
+            bool         unilateral = true;
+            unsigned int sides      = 0; // an oblique normal points inwards
+            double       extent     = std::numeric_limits<double>::max();
+            double       width      = extent;
+            for (const auto &entry : occupancy.constraints.walls_at(node))
+              if ((components >> entry.component) & 1u)
+                {
+                  unilateral =
+                    unilateral && locator.grid.wall(entry.wall).condition ==
+                                    WallCondition::unilateral;
+                  sides |= direction.component == dim ? 1u : entry.sides;
+                  const double edge =
+                    locator.geometry(entry.cell).edges[entry.component];
+                  extent = std::min(extent, edge);
+                  width =
+                    std::min(width,
+                             line_integrals(occupancy.degree(entry.cell))[0] *
+                               edge);
+                }
+            if (unilateral && (sides == 1u || sides == 2u))
+              contacts.push_back({direction,
+                                  sides == 1u ? 1. : -1.,
+                                  extent,
+                                  width,
+                                  /*pressing=*/0.,
+                                  /*margin=*/0.,
+                                  /*releases=*/0});
+          });
   }
 
   template <int dim>
@@ -91,26 +92,24 @@ namespace seiche
     collect(closed);
     for (Contact &contact : contacts)
       {
-        const double mass  = row_mass.value(state, contact.node);
-        double       speed = 0.;
+        const unsigned int node  = contact.direction.node;
+        const double       mass  = row_mass.value(state, node);
+        double             speed = 0.;
         for (unsigned int c = 0; c < dim; ++c)
-          speed +=
-            std::pow(state.velocity_n.local_element(dim * contact.node + c), 2);
+          speed += std::pow(state.velocity_n.local_element(dim * node + c), 2);
         contact.margin =
           release_margin * mass *
           (std::sqrt(speed) / state.dt +
-           body_force.value(occupancy.node_position(contact.node), state.time)
-             .norm());
+           body_force.value(occupancy.node_position(node), state.time).norm());
         contact.pressing =
-          std::max(0., state.pressure_guess.local_element(contact.node)) *
-          mass / materials.density_of_node(contact.node) / contact.width;
-        contact.releases     = 0;
-        const unsigned int i = dim * contact.node + contact.component;
-        const double       velocity =
-          contact.inward * (state.velocity_n.local_element(i) -
-                            conditions.velocity(i, state.time, state.dt));
-        occupancy.constraints.set_released(contact.node,
-                                           contact.component,
+          std::max(0., state.pressure_guess.local_element(node)) * mass /
+          materials.density_of_node(node) / contact.width;
+        contact.releases = 0;
+        const double velocity =
+          contact.inward *
+          (contact.direction.of(state.velocity_n) -
+           conditions.velocity(contact.direction, state.time, state.dt));
+        occupancy.constraints.set_released(contact.direction,
                                            mass * velocity / state.dt >
                                              contact.pressing + contact.margin);
       }
@@ -123,16 +122,14 @@ namespace seiche
                            const double force,
                            const double way)
   {
-    const bool fixed = is_fixed(contact);
+    const bool fixed = occupancy.constraints.is_fixed(contact.direction);
     const bool release =
       fixed && force < -contact.margin && contact.releases < most_releases;
     const bool fix = !fixed && way < -penetration_margin * contact.extent;
     if (!release && !fix)
       return false;
     contact.releases += release;
-    occupancy.constraints.set_released(contact.node,
-                                       contact.component,
-                                       release);
+    occupancy.constraints.set_released(contact.direction, release);
     return true;
   }
 
@@ -157,19 +154,20 @@ namespace seiche
     bool changed = false;
     for (Contact &contact : contacts)
       {
-        const unsigned int i = dim * contact.node + contact.component;
-        const double       v = state.velocity_start.local_element(i);
+        const WallDirection<dim> &direction = contact.direction;
         // the projection began with the wall's velocity
         const double force =
-          contact.inward * (state.reaction.local_element(i) +
-                            wall_impulse(state, row_mass, i)) +
+          contact.inward * (direction.of(state.reaction) +
+                            wall_impulse(state, row_mass, direction)) +
           contact.pressing;
-        changed = change(contact,
-                         force,
-                         contact.inward *
-                           (v - conditions.velocity(i, state.time, state.dt)) *
-                           state.dt) ||
-                  changed;
+        changed =
+          change(contact,
+                 force,
+                 contact.inward *
+                   (direction.of(state.velocity_start) -
+                    conditions.velocity(direction, state.time, state.dt)) *
+                   state.dt) ||
+          changed;
       }
     return agree(changed);
   }
@@ -194,17 +192,17 @@ namespace seiche
     bool changed = false;
     for (Contact &contact : contacts)
       {
-        const unsigned int i = dim * contact.node + contact.component;
-        const double       at_wall =
-          conditions.displacement(i, state, coefficients, *rate_offset);
-        double &u = state.displacement().local_element(i);
+        const WallDirection<dim> &direction = contact.direction;
+        const double              at_wall =
+          conditions.displacement(direction, state, coefficients, *rate_offset);
+        const double u = direction.of(state.displacement());
         if (change(contact,
-                   contact.inward * state.reaction.local_element(i),
+                   contact.inward * direction.of(state.reaction),
                    contact.inward * (u - at_wall)))
           {
             changed = true;
-            if (is_fixed(contact))
-              u = at_wall;
+            if (occupancy.constraints.is_fixed(direction))
+              direction.set(state.displacement(), at_wall);
           }
       }
     if (!agree(changed))

@@ -95,8 +95,10 @@ namespace seiche
   {
     const unsigned int node  = begin->node;
     const unsigned int fixed = occupancy.constraints.fixed_components(node);
-    const auto         holds = [&](const Contact &contact) {
-      return (fixed >> contact.component) & 1u;
+    // an oblique normal takes the place of all that meet at its edge
+    const unsigned int oblique = fixed & (1u << dim);
+    const auto         holds   = [&](const Contact &contact) {
+      return ((fixed >> contact.component) & 1u) || oblique;
     };
     double k = 0.;
     for (auto contact = begin; contact != end; ++contact)
@@ -108,6 +110,11 @@ namespace seiche
     for (unsigned int c = 0; c < dim; ++c)
       if (!((fixed >> c) & 1u))
         v[c] = state.velocity_start.local_element(dim * node + c);
+    if (oblique)
+      {
+        const Tensor<1, dim> &n = occupancy.constraints.oblique_normal(node);
+        v -= (v * n) * n;
+      }
     const double way = k * v.norm() * state.dt;
     v *= -way / (1. + way);
     for (unsigned int c = 0; c < dim; ++c)

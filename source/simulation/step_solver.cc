@@ -156,11 +156,11 @@ namespace seiche
     if (!measures_forces)
       return;
     state.start_reaction = 0.;
-    problem.occupancy.constraints.for_each_fixed([&](const unsigned int i) {
+    problem.occupancy.constraints.for_each_fixed([&](const auto &direction) {
       // walls give their velocity first, then the projection pushes
-      state.start_reaction.local_element(i) =
-        wall_impulse(state, problem.row_mass, i) +
-        (is_projected ? state.reaction.local_element(i) : 0.);
+      direction.set(state.start_reaction,
+                    wall_impulse(state, problem.row_mass, direction) +
+                      (is_projected ? direction.of(state.reaction) : 0.));
     });
   }
 

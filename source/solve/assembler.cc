@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/assembler.h>
+#include <seiche/space/oblique_projection.h>
 #include <seiche/utilities/injected_fault.h>
 
 #include <limits>
@@ -114,10 +115,9 @@ namespace seiche
       closed->balance_rows(residual.block(1), state.mass);
 
     state.reaction = 0.; // components may have been released
-    occupancy.constraints.for_each_fixed([&](const unsigned int i) {
-      double &value                   = residual.block(0).local_element(i);
-      state.reaction.local_element(i) = value;
-      value                           = 0.;
+    occupancy.constraints.for_each_fixed([&](const auto &direction) {
+      direction.set(state.reaction, direction.of(residual.block(0)));
+      direction.set(residual.block(0), 0.);
     });
     if (is_injected(Fault::residual) && residual.block(0).locally_owned_size())
       residual.block(0).local_element(0) =
@@ -222,9 +222,11 @@ namespace seiche
     const auto add_cell = [&](const unsigned int cell, const auto degree) {
       CellData<dim, degree> &data = std::get<degree - 1>(workspace);
       CellGeometry<dim>     &last = last_geometries[degree - 1];
-      const bool             condensed =
-        occupancy.template unknowns<degree>(cell).matrix != nullptr;
-      const bool reusable = at_rest && !condensed && fill.is_full(cell);
+      const auto unknowns         = occupancy.template unknowns<degree>(cell);
+      const bool condensed        = unknowns.matrix != nullptr;
+      const bool oblique = any_oblique(occupancy.constraints, unknowns);
+      const bool reusable =
+        at_rest && !condensed && !oblique && fill.is_full(cell);
       matrix.prefetch_cell(cell);
       if (!reusable || !occupancy.locator.geometry(cell).is_congruent(last))
         {
@@ -232,6 +234,9 @@ namespace seiche
           weak_form->tangent(data);
           if (condensed)
             condense_tangent(cell, data);
+          if (oblique)
+            project_obliques(
+              occupancy.constraints, unknowns, data.uu, data.up, data.pu);
           last = reusable ? data.geometry : CellGeometry<dim>();
         }
       matrix.add_cell(cell, data);

@@ -62,8 +62,8 @@ namespace seiche
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         this->template add_balance<degree>(cell, state, sums);
       });
-    occupancy.constraints.for_each_fixed([&](const unsigned int i) {
-      sums.walls[i % dim] += state.reaction.local_element(i);
+    occupancy.constraints.for_each_fixed([&](const auto &direction) {
+      sums.walls += direction.of(state.reaction) * direction.unit_vector();
     });
     const MPI_Comm communicator =
       occupancy.scalar_partitioner()->get_mpi_communicator();

@@ -203,10 +203,16 @@ namespace seiche
             const std::size_t  entry = entries[a][k];
             const unsigned int other =
               occupancy.constraints.fixed_components(face.nodes[b]);
-            for (unsigned int i = 0; i < dim; ++i)
-              if (!((fixed | other) & (1u << i)))
-                displacement_columns[(entry * dim + i) * n + i] +=
-                  velocity_coefficient * face.B[a][b];
+            double *to = &displacement_columns[entry * dim * n];
+            if ((fixed | other) & (1u << dim))
+              add_projected(face.nodes[a],
+                            face.nodes[b],
+                            velocity_coefficient * face.B[a][b],
+                            to);
+            else
+              for (unsigned int i = 0; i < dim; ++i)
+                if (!((fixed | other) & (1u << i)))
+                  to[i * n + i] += velocity_coefficient * face.B[a][b];
             if (with_pressure)
               pressure_column[entry * n + dim] +=
                 pressure_coefficient * face.B[a][b];
@@ -216,11 +222,46 @@ namespace seiche
 
   template <int dim>
   void
+  BlockMatrix<dim>::add_projected(const unsigned int row,
+                                  const unsigned int column,
+                                  const double       value,
+                                  double            *block) const
+  {
+    const Tensor<2, dim> product = occupancy.constraints.projector(row) *
+                                   occupancy.constraints.projector(column);
+    for (unsigned int j = 0; j < dim; ++j, block += n_fields())
+      for (unsigned int i = 0; i < dim; ++i)
+        block[i] += value * product[i][j];
+  }
+
+  template <int dim>
+  void
+  BlockMatrix<dim>::add_oblique_directions()
+  {
+    const unsigned int n = n_fields();
+    occupancy.constraints.for_each_fixed([&](const auto &direction) {
+      if (direction.component < dim)
+        return; // its row is empty, complete_diagonal() will see
+      double mean = 0.;
+      for (unsigned int i = 0; i < dim; ++i)
+        mean += diagonal(direction.node, i) / dim;
+      const Tensor<1, dim> normal = direction.unit_vector();
+      double              *block =
+        &displacement_columns[pattern.diagonal_of(direction.node) * dim * n];
+      for (unsigned int j = 0; j < dim; ++j, block += n)
+        for (unsigned int i = 0; i < dim; ++i)
+          block[i] += mean * normal[i] * normal[j];
+    });
+  }
+
+  template <int dim>
+  void
   BlockMatrix<dim>::compress()
   {
     pattern.add_to_owners(displacement_columns, dim * n_fields());
     if (with_pressure)
       pattern.add_to_owners(pressure_column, n_fields());
+    add_oblique_directions();
     complete_diagonal();
   }
 

@@ -36,10 +36,9 @@ namespace seiche
     state.solution = 0.;
     state.solution.zero_out_ghost_values();
     system.matrix.occupancy.constraints.for_each_fixed(
-      [&](const unsigned int i) {
-        state.displacement().local_element(i) =
-          solution.block(0).local_element(i);
-        solution.block(0).local_element(i) = 0.;
+      [&](const auto &direction) {
+        direction.set(state.displacement(), direction.of(solution.block(0)));
+        direction.set(solution.block(0), 0.);
       });
     state.solution.update_ghost_values();
     system.assembler.begin(
@@ -55,9 +54,8 @@ namespace seiche
       system.solver.solve(update, right_hand_side, reduction);
     solution += update;
     system.matrix.occupancy.constraints.for_each_fixed(
-      [&](const unsigned int i) {
-        solution.block(0).local_element(i) =
-          state.displacement().local_element(i);
+      [&](const auto &direction) {
+        direction.set(solution.block(0), direction.of(state.displacement()));
       });
     return result;
   }

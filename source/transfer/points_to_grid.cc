@@ -271,8 +271,8 @@ namespace seiche
       extrapolate_fields(points, occupancy, state);
     if (with_acceleration)
       {
-        occupancy.constraints.for_each_fixed([&](const unsigned int i) {
-          state.acceleration_n.local_element(i) = 0.;
+        occupancy.constraints.for_each_fixed([&](const auto &direction) {
+          direction.set(state.acceleration_n, 0.);
         });
         state.acceleration_n.update_ghost_values();
       }

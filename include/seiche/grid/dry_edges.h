@@ -41,6 +41,8 @@ namespace seiche
     {
       unsigned int node;
       unsigned int wet; ///< bit c: an occupied cell has a face normal to c here
+      unsigned int concave;        ///< the same, of cells with more than one
+      dealii::Tensor<1, dim> area; ///< wet, in proportion; into the fluid [m^2]
     };
 
     /// Components that slip obstacles alone fix at an own node, bit by bit.

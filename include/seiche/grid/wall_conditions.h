@@ -39,14 +39,16 @@ namespace seiche
                      const StepCoefficients                &coefficients,
                      const typename GridState<dim>::Vector &rate_offset) const;
 
-    /// The walls' [m/s] of component i = dim*node + c of an own node on them;
-    /// of a moving side within a small part of @p dt.
+    /// The walls' [m/s] in a direction in which they hold an own node; of a
+    /// moving side within a small part of @p dt.
     double
-    velocity(const unsigned int i, const double time, const double dt) const;
+    velocity(const WallDirection<dim> &direction,
+             const double              time,
+             const double              dt) const;
 
-    /// Displacement [m] of set_displacement() for one component.
+    /// Displacement [m] of set_displacement() in one direction.
     double
-    displacement(const unsigned int                     i,
+    displacement(const WallDirection<dim>              &direction,
                  const GridState<dim>                  &state,
                  const StepCoefficients                &coefficients,
                  const typename GridState<dim>::Vector &rate_offset) const;

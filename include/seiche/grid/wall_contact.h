@@ -73,12 +73,12 @@ namespace seiche
     correct(GridState<dim> &state);
 
   private:
-    /// Normal component of an own node on unilateral walls.
+    /// Own node on unilateral walls.
     struct Contact
     {
-      unsigned int node, component;
-      double       inward; ///< +1 or -1: side of the fluid
-      double       extent; ///< [m] of the cell, normal to the wall
+      WallDirection<dim> direction;
+      double             inward; ///< +1 or -1: side of the fluid
+      double             extent; ///< [m] of the cell, normal to the wall
       /// Integral of the node's shape function along the normal [m]: its
       /// volume over its area of the wall.
       double       width;
@@ -90,14 +90,6 @@ namespace seiche
     /// Contacts of the nodes as they are numbered, and lie, in this step.
     void
     collect(const ClosedChambers<dim> *closed);
-
-    bool
-    is_fixed(const Contact &contact) const
-    {
-      return (occupancy.constraints.fixed_components(contact.node) >>
-              contact.component) &
-             1u;
-    }
 
     /// The rule for one: @p force on the fluid [N] if it is fixed, @p way that
     /// it moves from the wall [m] if it is free. True if it changes.

@@ -6,18 +6,18 @@
 
 namespace seiche
 {
-  /// Impulse over dt [N] that takes an own, fixed component (dim*node +
-  /// component) from v_n to v_0: what a wall does to fluid that arrives, beside
+  /// Impulse over dt [N] that takes an own node from v_n to v_0 in a direction
+  /// in which walls fix it: what they do to fluid that arrives, beside
   /// the reaction of the projection (doc/theory.md (8.0b)).
   template <int dim>
   double
-  wall_impulse(const GridState<dim> &state,
-               const RowMass<dim>   &row_mass,
-               const unsigned int    component)
+  wall_impulse(const GridState<dim>     &state,
+               const RowMass<dim>       &row_mass,
+               const WallDirection<dim> &direction)
   {
-    return row_mass.value(state, component / dim) *
-           (state.velocity_start.local_element(component) -
-            state.velocity_n.local_element(component)) /
+    return row_mass.value(state, direction.node) *
+           (direction.of(state.velocity_start) -
+            direction.of(state.velocity_n)) /
            state.dt;
   }
 } // namespace seiche

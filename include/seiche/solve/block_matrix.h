@@ -136,6 +136,18 @@ namespace seiche
     void
     add_cell_fields(const unsigned int cell, const CellData<dim, degree> &data);
 
+    /// Add P_row @p value P_column to a block, P that of constraints.
+    void
+    add_projected(const unsigned int row,
+                  const unsigned int column,
+                  const double       value,
+                  double            *block) const;
+
+    /// The rows of oblique directions are empty: n n^T times the mean diagonal
+    /// of the node.
+    void
+    add_oblique_directions();
+
     /// Zero diagonals of rows without entries get the largest of their block.
     void
     complete_diagonal();

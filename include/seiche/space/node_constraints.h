@@ -4,16 +4,89 @@
 
 #include <seiche/space/mesh_nodes.h>
 
+#include <unordered_map>
+
 namespace seiche
 {
+  /// A direction in which walls hold a node: a coordinate's, or an oblique one.
+  template <int dim>
+  class WallDirection
+  {
+  public:
+    /// @p oblique: unit vector, which must outlive the object; null: the
+    /// direction is that of a coordinate.
+    WallDirection(const unsigned int            held_node,
+                  const unsigned int            held_component,
+                  const dealii::Tensor<1, dim> *oblique)
+      : node(held_node)
+      , component(held_component)
+      , normal(oblique)
+    {}
+
+    /// sum_c n_c value(c); only coordinates that count are asked for.
+    template <typename Value>
+    double
+    project(const Value &value) const
+    {
+      if (normal == nullptr)
+        return value(component);
+      double sum = 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        if ((*normal)[c] != 0.)
+          sum += (*normal)[c] * value(c);
+      return sum;
+    }
+
+    /// n.v of a field of vectors, values dim*node + component.
+    template <typename Vector>
+    double
+    of(const Vector &v) const
+    {
+      return project(
+        [&](const unsigned int c) { return v.local_element(dim * node + c); });
+    }
+
+    /// Make n.v what is given; the rest of v stays.
+    template <typename Vector>
+    void
+    set(Vector &v, const double value) const
+    {
+      if (normal == nullptr)
+        v.local_element(dim * node + component) = value;
+      else
+        {
+          const double change = value - of(v);
+          for (unsigned int c = 0; c < dim; ++c)
+            v.local_element(dim * node + c) += change * (*normal)[c];
+        }
+    }
+
+    dealii::Tensor<1, dim>
+    unit_vector() const
+    {
+      dealii::Tensor<1, dim> n;
+      if (normal == nullptr)
+        n[component] = 1.;
+      else
+        n = *normal;
+      return n;
+    }
+
+    const unsigned int node, component;
+
+  private:
+    const dealii::Tensor<1, dim> *normal;
+  };
+
   /**
-   * @brief Which components of the nodes' displacements are fixed: by a wall,
-   * unless there is no fluid at it (dry) or it has let go of the fluid
-   * (released).
+   * @brief In which directions walls fix the nodes' displacements: not where
+   * there is no fluid at them (dry), or they have let go of it (released).
    *
-   * Components are bits: bit c stands for component c. Nodes have the compact
-   * numbers of Occupancy; masks of own nodes are changed here and there, and
-   * share() makes them known.
+   * Components are bits: bit c stands for coordinate c, bit dim for an oblique
+   * normal. It takes the place of the components that walls fix which
+   * meet in a convex edge (doc/theory.md (8.0c)). Nodes have the compact
+   * numbers of Occupancy; own nodes are changed here and there, and share()
+   * makes them known.
    */
   template <int dim>
   class NodeConstraints
@@ -24,8 +97,8 @@ namespace seiche
       : mesh(mesh_nodes)
     {}
 
-    /// All walls hold. @p nodes: of the mesh, by compact number; it must stay
-    /// until the next call.
+    /// All walls hold, each in its direction. @p nodes: of the mesh, by compact
+    /// number; it must stay until the next call.
     void
     reinit(const std::vector<unsigned int> &nodes,
            const std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
@@ -37,7 +110,18 @@ namespace seiche
       return fixed[node];
     }
 
-    /// What walls fix, released, dry or not.
+    /// The oblique normal of a node with bit dim: a unit vector into the fluid.
+    const dealii::Tensor<1, dim> &
+    oblique_normal(const unsigned int node) const
+    {
+      return obliques.at(node).normal;
+    }
+
+    /// I - sum n n^T over the directions in which a node is fixed.
+    dealii::Tensor<2, dim>
+    projector(const unsigned int node) const;
+
+    /// What walls fix, released, dry or not; coordinates.
     unsigned int
     wall_components(const unsigned int node) const
     {
@@ -54,54 +138,89 @@ namespace seiche
     /// Components of an own node whose walls have no fluid at them in this
     /// step: they do not fix it.
     void
-    set_dry(const unsigned int node, const unsigned int components)
+    set_dry(const unsigned int node, const unsigned int components);
+
+    /// Fix an own node along a unit vector into the fluid instead of in the
+    /// @p components that walls fix.
+    void
+    set_oblique(const unsigned int            node,
+                const unsigned int            components,
+                const dealii::Tensor<1, dim> &normal);
+
+    /// f(direction, components) for the directions in which walls with fluid
+    /// at them hold an own node, released or not; the walls of these
+    /// components (coordinates) make them.
+    template <typename Function>
+    void
+    for_each_held(const unsigned int node, const Function &f) const
     {
-      dry[node]   = components;
-      fixed[node] = wall_components(node) & ~components;
-    }
-    unsigned int
-    dry_components(const unsigned int node) const
-    {
-      return dry[node];
+      for (unsigned int c = 0; c <= dim; ++c)
+        if ((held[node] >> c) & 1u)
+          f(direction(node, c),
+            c == dim ? obliques.at(node).components : 1u << c);
     }
 
-    /// Release a component of an own node that a wall fixes, or fix it again.
+    bool
+    is_fixed(const WallDirection<dim> &direction) const
+    {
+      return (fixed[direction.node] >> direction.component) & 1u;
+    }
+
+    /// Release an own node in a direction in which walls hold it, or fix it
+    /// again.
     void
-    set_released(const unsigned int node,
-                 const unsigned int component,
-                 const bool         released);
+    set_released(const WallDirection<dim> &direction, const bool released);
 
     /// True if a wall with fluid at it has let go of an own node: the fluid
     /// leaves it, and a gap opens that the level set does not see yet.
     bool
     leaves_wall(const unsigned int node) const
     {
-      return (wall_components(node) & ~fixed_components(node) &
-              ~dry_components(node)) != 0;
+      return fixed[node] != held[node];
     }
 
     /// Fixed components of ghost nodes from their owners. Collective.
     void
     share();
 
-    /// f(dim*node + component) for the components of own nodes that are fixed.
+    /// The same, and oblique normals. Collective.
+    void
+    share_obliques();
+
+    /// f(direction) for all directions in which own nodes are fixed.
     template <typename Function>
     void
     for_each_fixed(const Function &f) const
     {
       for (unsigned int node = 0; node < partitioner->locally_owned_size();
            ++node)
-        if (const unsigned int components = fixed_components(node))
-          for (unsigned int c = 0; c < dim; ++c)
+        if (const unsigned int components = fixed[node])
+          for (unsigned int c = 0; c <= dim; ++c)
             if ((components >> c) & 1u)
-              f(dim * node + c);
+              f(direction(node, c));
     }
 
   private:
+    struct Oblique
+    {
+      unsigned int           components; ///< that it takes the place of
+      dealii::Tensor<1, dim> normal;
+    };
+
+    WallDirection<dim>
+    direction(const unsigned int node, const unsigned int component) const
+    {
+      return {node,
+              component,
+              component == dim ? &obliques.at(node).normal : nullptr};
+    }
+
     const MeshNodes<dim>            &mesh;
     const std::vector<unsigned int> *mesh_node = nullptr;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
-    std::vector<unsigned int> fixed, dry; // own and ghost nodes
+    std::vector<unsigned int>                 held;     ///< own nodes
+    std::vector<unsigned int>                 fixed;    ///< own and ghost nodes
+    std::unordered_map<unsigned int, Oblique> obliques; ///< by node
   };
 } // namespace seiche
 

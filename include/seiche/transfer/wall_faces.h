@@ -46,8 +46,8 @@ namespace seiche
               double way = -infinite;
               for (unsigned int a = 0; a < nodes.n_nodes; ++a)
                 if (Basis<dim, degree>::line_index(a, d) == side * degree &&
-                    (occupancy.constraints.fixed_components(nodes[a]) >> d &
-                     1u))
+                    (occupancy.constraints.fixed_components(nodes[a]) &
+                     (1u << d | 1u << dim)))
                   way = std::max(way, side == 0 ? -u[d][a] : u[d][a]);
               if (way == -infinite)
                 continue;
