@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/assembler.h>
-#include <seiche/space/oblique_projection.h>
 #include <seiche/utilities/injected_fault.h>
 
 #include <limits>
@@ -224,7 +223,7 @@ namespace seiche
       CellGeometry<dim>     &last = last_geometries[degree - 1];
       const auto unknowns         = occupancy.template unknowns<degree>(cell);
       const bool condensed        = unknowns.matrix != nullptr;
-      const bool oblique = any_oblique(occupancy.constraints, unknowns);
+      const bool oblique          = occupancy.constraints.any_oblique(unknowns);
       const bool reusable =
         at_rest && !condensed && !oblique && fill.is_full(cell);
       matrix.prefetch_cell(cell);
@@ -233,10 +232,9 @@ namespace seiche
           this->template gather<degree>(cell, state);
           weak_form->tangent(data);
           if (condensed)
-            condense_tangent(cell, data);
+            data.condense(unknowns);
           if (oblique)
-            project_obliques(
-              occupancy.constraints, unknowns, data.uu, data.up, data.pu);
+            data.project(unknowns, occupancy.constraints);
           last = reusable ? data.geometry : CellGeometry<dim>();
         }
       matrix.add_cell(cell, data);
@@ -261,27 +259,6 @@ namespace seiche
            std::all_of(u.begin(), u.end(), [](const double value) {
              return value == 0.;
            });
-  }
-
-  template <int dim>
-  template <int degree>
-  void
-  Assembler<dim>::condense_tangent(const unsigned int     cell,
-                                   CellData<dim, degree> &data)
-  {
-    const auto unknowns = occupancy.template unknowns<degree>(cell);
-    for (unsigned int i = 0; i < dim; ++i)
-      {
-        for (unsigned int j = 0; j < dim; ++j)
-          unknowns.condense_matrix(data.uu[i][j]);
-        if (formulation.has_pressure())
-          {
-            unknowns.condense_matrix(data.up[i]);
-            unknowns.condense_matrix(data.pu[i]);
-          }
-      }
-    if (formulation.has_pressure())
-      unknowns.condense_matrix(data.pp);
   }
 
   template <int dim>

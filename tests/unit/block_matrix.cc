@@ -4,8 +4,8 @@
 // same sums on any number of ranks; its ILU(0) is exact where nothing is left
 // out.
 #include <seiche/grid/mesh_adaptation.h>
-#include <seiche/solve/block_ilu.h>
-#include <seiche/solve/epetra_copy.h>
+#include <seiche/algebra/block_ilu.h>
+#include <seiche/algebra/epetra_copy.h>
 
 #include <Epetra_Vector.h>
 

@@ -2,7 +2,7 @@
 // Cholesky factors of a Laplacian on a row of nodes: the solution, also where
 // the order of elimination of an earlier matrix serves; an indefinite matrix is
 // refused and harms nothing.
-#include <seiche/solve/cholesky_factors.h>
+#include <seiche/algebra/cholesky_factors.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // FlexibleGMRES: solutions, iterations with their products, restarts, and what
 // cannot be solved.
-#include <seiche/solve/flexible_gmres.h>
+#include <seiche/algebra/flexible_gmres.h>
 
 #include <deal.II/base/mpi.h>
 

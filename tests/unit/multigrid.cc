@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Each multigrid of the table: what a cycle leaves of the residual of a
 // Laplacian, symmetry and positivity; also where a rank has no rows.
-#include <seiche/solve/multigrid.h>
+#include <seiche/algebra/multigrid.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,6 +2,7 @@
 #ifndef seiche_formulation_cell_data_h
 #define seiche_formulation_cell_data_h
 
+#include <seiche/algebra/cell_matrix.h>
 #include <seiche/formulation/stabilization.h>
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/space/point_batch.h>
@@ -9,7 +10,6 @@
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
-#include <cstring>
 
 namespace seiche
 {
@@ -21,12 +21,12 @@ namespace seiche
    * array, so that loops over nodes fill the vector registers.
    */
   template <int dim, int degree>
-  struct CellData
+  struct CellData : public CellMatrix<dim, degree>
   {
-    using Shape                           = Basis<dim, degree>;
-    static constexpr unsigned int n_nodes = Shape::n_nodes;
-    using NodalScalar                     = double[n_nodes];
-    using NodalVector                     = double[dim][n_nodes];
+    using Shape = Basis<dim, degree>;
+    using CellMatrix<dim, degree>::n_nodes;
+    using NodalScalar = double[n_nodes];
+    using NodalVector = double[dim][n_nodes];
 
     // --- input
     StepCoefficients  coefficients;
@@ -70,10 +70,6 @@ namespace seiche
     // --- output; pressure rows and columns in the mixed form only
     alignas(64) NodalVector residual_u; ///< [N]
     alignas(64) NodalScalar residual_p; ///< [m^dim]
-    alignas(64) double uu[dim][dim][n_nodes][n_nodes];
-    alignas(64) double up[dim][n_nodes][n_nodes]; ///< row component first
-    alignas(64) double pu[dim][n_nodes][n_nodes]; ///< column component first
-    alignas(64) double pp[n_nodes][n_nodes];
 
     /// Derivative of the acceleration with respect to u, beside that of the
     /// scheme, over C_a: d(acceleration) = C_a (I + this) du [-].
@@ -120,15 +116,6 @@ namespace seiche
       for (unsigned int q = 0; q < quadrature.size; ++q)
         square = std::max(square, body_force_at(q).norm_square());
       return std::sqrt(square);
-    }
-
-    void
-    clear_tangent()
-    {
-      std::memset(uu, 0, sizeof(uu));
-      std::memset(up, 0, sizeof(up));
-      std::memset(pu, 0, sizeof(pu));
-      std::memset(pp, 0, sizeof(pp));
     }
   };
 } // namespace seiche

@@ -115,7 +115,7 @@ namespace seiche
     [[gnu::flatten]] void
     sum_tangent(CellData<dim, degree> &cell) const
     {
-      cell.clear_tangent();
+      cell.clear();
       for_each_batch(
         cell, /*with_end=*/true, [&](PointState<dim, degree> &state) {
           for_each([&](const auto &term) { term.linearize(state); });

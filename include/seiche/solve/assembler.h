@@ -5,7 +5,7 @@
 #include <seiche/formulation/formulation.h>
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/scene/body_force.h>
-#include <seiche/solve/block_matrix.h>
+#include <seiche/algebra/block_matrix.h>
 #include <seiche/solve/step_balance.h>
 #include <seiche/utilities/timer_tree.h>
 
@@ -204,11 +204,6 @@ namespace seiche
     /// but its extents: the projection of the start velocity. Local.
     bool
     is_at_rest(const GridState<dim> &state) const;
-
-    /// Rows and columns of nodes that are no unknowns go to their masters.
-    template <int degree>
-    void
-    condense_tangent(const unsigned int cell, CellData<dim, degree> &data);
 
     /// add_cell(cell, degree) on each occupied cell, add_face(face matrix,
     /// coefficients) on each ghost face of this rank: after the cell that the

@@ -3,9 +3,9 @@
 #define seiche_solve_linear_solver_h
 
 #include <seiche/solve/assembler.h>
-#include <seiche/solve/block_matrix.h>
+#include <seiche/algebra/block_matrix.h>
 #include <seiche/solve/block_preconditioner.h>
-#include <seiche/solve/flexible_gmres.h>
+#include <seiche/algebra/flexible_gmres.h>
 
 #include <functional>
 #include <limits>

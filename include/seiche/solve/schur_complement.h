@@ -3,8 +3,8 @@
 #define seiche_solve_schur_complement_h
 
 #include <seiche/solve/assembler.h>
-#include <seiche/solve/cholesky_factors.h>
-#include <seiche/solve/multigrid.h>
+#include <seiche/algebra/cholesky_factors.h>
+#include <seiche/algebra/multigrid.h>
 
 namespace seiche
 {

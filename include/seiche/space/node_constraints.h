@@ -110,6 +110,23 @@ namespace seiche
       return fixed[node];
     }
 
+    bool
+    is_oblique(const unsigned int node) const
+    {
+      return (fixed[node] >> dim) & 1u;
+    }
+
+    /// True if one of a cell's @p nodes has an oblique normal.
+    template <typename CellNodes>
+    bool
+    any_oblique(const CellNodes &nodes) const
+    {
+      unsigned int components = 0;
+      for (unsigned int a = 0; a < nodes.n_nodes; ++a)
+        components |= fixed[nodes[a]];
+      return (components >> dim) & 1u;
+    }
+
     /// The oblique normal of a node with bit dim: a unit vector into the fluid.
     const dealii::Tensor<1, dim> &
     oblique_normal(const unsigned int node) const

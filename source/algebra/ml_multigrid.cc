@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/ml_multigrid.h>
+#include <seiche/algebra/ml_multigrid.h>
 
 #include <deal.II/base/exceptions.h>
 

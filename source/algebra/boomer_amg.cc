@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/boomer_amg.h>
+#include <seiche/algebra/boomer_amg.h>
 
 #include <deal.II/base/exceptions.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_solve_boomer_amg_h
-#define seiche_solve_boomer_amg_h
+#ifndef seiche_algebra_boomer_amg_h
+#define seiche_algebra_boomer_amg_h
 
-#include <seiche/solve/multigrid.h>
+#include <seiche/algebra/multigrid.h>
 
 // of HYPRE, whose headers only boomer_amg.cc needs
 struct hypre_Solver_struct;

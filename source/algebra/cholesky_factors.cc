@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/cholesky_factors.h>
+#include <seiche/algebra/cholesky_factors.h>
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_solve_block_matrix_h
-#define seiche_solve_block_matrix_h
+#ifndef seiche_algebra_block_matrix_h
+#define seiche_algebra_block_matrix_h
 
-#include <seiche/formulation/cell_data.h>
+#include <seiche/algebra/cell_matrix.h>
+#include <seiche/algebra/node_pattern.h>
 #include <seiche/grid/ghost_face_matrix.h>
-#include <seiche/solve/node_pattern.h>
 
 #include <deal.II/lac/la_parallel_block_vector.h>
 
@@ -58,7 +58,7 @@ namespace seiche
     /// components are left out.
     template <int degree>
     void
-    add_cell(const unsigned int cell, const CellData<dim, degree> &data);
+    add_cell(const unsigned int cell, const CellMatrix<dim, degree> &data);
 
     /// Add B times a coefficient for each velocity component, and one for the
     /// pressure.
@@ -134,7 +134,8 @@ namespace seiche
 
     template <int degree, unsigned int n>
     void
-    add_cell_fields(const unsigned int cell, const CellData<dim, degree> &data);
+    add_cell_fields(const unsigned int             cell,
+                    const CellMatrix<dim, degree> &data);
 
     /// Add P_row @p value P_column to a block, P that of constraints.
     void

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_solve_cholesky_factors_h
-#define seiche_solve_cholesky_factors_h
+#ifndef seiche_algebra_cholesky_factors_h
+#define seiche_algebra_cholesky_factors_h
 
 #include <cholmod.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_solve_flexible_gmres_h
-#define seiche_solve_flexible_gmres_h
+#ifndef seiche_algebra_flexible_gmres_h
+#define seiche_algebra_flexible_gmres_h
 
 #include <deal.II/lac/vector_memory.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_solve_sparse_factors_h
-#define seiche_solve_sparse_factors_h
+#ifndef seiche_algebra_sparse_factors_h
+#define seiche_algebra_sparse_factors_h
 
 #include <Amesos_BaseSolver.h>
 #include <Epetra_CrsMatrix.h>

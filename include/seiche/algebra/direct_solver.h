@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_solve_direct_solver_h
-#define seiche_solve_direct_solver_h
+#ifndef seiche_algebra_direct_solver_h
+#define seiche_algebra_direct_solver_h
 
+#include <seiche/algebra/block_matrix.h>
 #include <seiche/grid/closed_chambers.h>
-#include <seiche/solve/block_matrix.h>
 
 namespace seiche
 {

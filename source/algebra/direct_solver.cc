@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/direct_solver.h>
-#include <seiche/solve/epetra_copy.h>
-#include <seiche/solve/sparse_factors.h>
+#include <seiche/algebra/direct_solver.h>
+#include <seiche/algebra/epetra_copy.h>
+#include <seiche/algebra/sparse_factors.h>
 
 namespace seiche
 {

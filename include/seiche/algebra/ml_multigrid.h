@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_solve_ml_multigrid_h
-#define seiche_solve_ml_multigrid_h
+#ifndef seiche_algebra_ml_multigrid_h
+#define seiche_algebra_ml_multigrid_h
 
-#include <seiche/solve/multigrid.h>
+#include <seiche/algebra/multigrid.h>
 
 // of Trilinos, whose headers only ml_multigrid.cc needs
 class Epetra_CrsMatrix;

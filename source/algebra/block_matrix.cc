@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/block_matrix.h>
+#include <seiche/algebra/block_matrix.h>
 #include <seiche/utilities/register.h>
 
 #include <algorithm>
@@ -108,8 +108,8 @@ namespace seiche
   template <int dim>
   template <int degree>
   void
-  BlockMatrix<dim>::add_cell(const unsigned int           cell,
-                             const CellData<dim, degree> &data)
+  BlockMatrix<dim>::add_cell(const unsigned int             cell,
+                             const CellMatrix<dim, degree> &data)
   {
     if (with_pressure)
       add_cell_fields<degree, dim + 1>(cell, data);
@@ -120,10 +120,10 @@ namespace seiche
   template <int dim>
   template <int degree, unsigned int n>
   void
-  BlockMatrix<dim>::add_cell_fields(const unsigned int           cell,
-                                    const CellData<dim, degree> &data)
+  BlockMatrix<dim>::add_cell_fields(const unsigned int             cell,
+                                    const CellMatrix<dim, degree> &data)
   {
-    constexpr unsigned int    n_nodes = CellData<dim, degree>::n_nodes;
+    constexpr unsigned int    n_nodes = CellMatrix<dim, degree>::n_nodes;
     const auto                nodes = occupancy.template unknowns<degree>(cell);
     const CellEntries<degree> entries(pattern, cell);
     double                    free[dim][n_nodes]; // 0 where a wall fixes
@@ -427,10 +427,10 @@ namespace seiche
   template class BlockMatrix<2>;
   template class BlockMatrix<3>;
 
-#define INSTANTIATE(dim, degree)                                           \
-  template void BlockMatrix<dim>::add_cell(const unsigned int,             \
-                                           const CellData<dim, degree> &); \
-  template void BlockMatrix<dim>::add_face(                                \
+#define INSTANTIATE(dim, degree)                                             \
+  template void BlockMatrix<dim>::add_cell(const unsigned int,               \
+                                           const CellMatrix<dim, degree> &); \
+  template void BlockMatrix<dim>::add_face(                                  \
     const GhostFaceMatrix<dim, degree> &, const double, const double);
   INSTANTIATE(2, 1)
   INSTANTIATE(2, 2)

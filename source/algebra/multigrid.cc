@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/boomer_amg.h>
-#include <seiche/solve/ml_multigrid.h>
+#include <seiche/algebra/boomer_amg.h>
+#include <seiche/algebra/ml_multigrid.h>
 
 #include <deal.II/base/exceptions.h>
 

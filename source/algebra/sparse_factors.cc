@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/sparse_factors.h>
+#include <seiche/algebra/sparse_factors.h>
 
 #include <Amesos.h>
 

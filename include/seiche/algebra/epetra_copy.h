@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_solve_epetra_copy_h
-#define seiche_solve_epetra_copy_h
+#ifndef seiche_algebra_epetra_copy_h
+#define seiche_algebra_epetra_copy_h
 
-#include <seiche/solve/block_matrix.h>
+#include <seiche/algebra/block_matrix.h>
 
 #include <Epetra_CrsMatrix.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_solve_node_pattern_h
-#define seiche_solve_node_pattern_h
+#ifndef seiche_algebra_node_pattern_h
+#define seiche_algebra_node_pattern_h
 
 #include <seiche/grid/fill.h>
 

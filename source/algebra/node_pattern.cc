@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/node_pattern.h>
+#include <seiche/algebra/node_pattern.h>
 #include <seiche/space/component_partitioner.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/epetra_copy.h>
+#include <seiche/algebra/epetra_copy.h>
 
 #include <Epetra_MpiComm.h>
 

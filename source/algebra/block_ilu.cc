@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/block_ilu.h>
+#include <seiche/algebra/block_ilu.h>
 #include <seiche/utilities/register.h>
 
 #include <deal.II/base/tensor.h>

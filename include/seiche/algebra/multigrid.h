@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_solve_multigrid_h
-#define seiche_solve_multigrid_h
+#ifndef seiche_algebra_multigrid_h
+#define seiche_algebra_multigrid_h
 
 #include <deal.II/lac/la_parallel_vector.h>
 
