@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/solve/block_preconditioner.h>
 #include <seiche/algebra/epetra_copy.h>
+#include <seiche/solve/block_preconditioner.h>
 
 #include <array>
 

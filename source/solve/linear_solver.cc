@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/parameters/input_file.h>
 #include <seiche/algebra/direct_solver.h>
+#include <seiche/parameters/input_file.h>
 #include <seiche/solve/linear_solver.h>
 #include <seiche/utilities/injected_fault.h>
 

@@ -3,9 +3,9 @@
 // product against that of the copy for Trilinos, the product with G alone, the
 // same sums on any number of ranks; its ILU(0) is exact where nothing is left
 // out.
-#include <seiche/grid/mesh_adaptation.h>
 #include <seiche/algebra/block_ilu.h>
 #include <seiche/algebra/epetra_copy.h>
+#include <seiche/grid/mesh_adaptation.h>
 
 #include <Epetra_Vector.h>
 

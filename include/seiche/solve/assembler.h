@@ -2,10 +2,10 @@
 #ifndef seiche_solve_assembler_h
 #define seiche_solve_assembler_h
 
+#include <seiche/algebra/block_matrix.h>
 #include <seiche/formulation/formulation.h>
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/scene/body_force.h>
-#include <seiche/algebra/block_matrix.h>
 #include <seiche/solve/step_balance.h>
 #include <seiche/utilities/timer_tree.h>
 

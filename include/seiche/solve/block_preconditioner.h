@@ -2,8 +2,8 @@
 #ifndef seiche_solve_block_preconditioner_h
 #define seiche_solve_block_preconditioner_h
 
-#include <seiche/solve/assembler.h>
 #include <seiche/algebra/block_ilu.h>
+#include <seiche/solve/assembler.h>
 #include <seiche/solve/schur_complement.h>
 
 #include <deal.II/lac/trilinos_precondition.h>

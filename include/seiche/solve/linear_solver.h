@@ -2,10 +2,10 @@
 #ifndef seiche_solve_linear_solver_h
 #define seiche_solve_linear_solver_h
 
-#include <seiche/solve/assembler.h>
 #include <seiche/algebra/block_matrix.h>
-#include <seiche/solve/block_preconditioner.h>
 #include <seiche/algebra/flexible_gmres.h>
+#include <seiche/solve/assembler.h>
+#include <seiche/solve/block_preconditioner.h>
 
 #include <functional>
 #include <limits>

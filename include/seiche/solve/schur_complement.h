@@ -2,9 +2,9 @@
 #ifndef seiche_solve_schur_complement_h
 #define seiche_solve_schur_complement_h
 
-#include <seiche/solve/assembler.h>
 #include <seiche/algebra/cholesky_factors.h>
 #include <seiche/algebra/multigrid.h>
+#include <seiche/solve/assembler.h>
 
 namespace seiche
 {
