@@ -259,7 +259,4 @@ namespace seiche
                        "Dimension = 2\" and its mandatory entries.");
     return reader.text;
   }
-
-
-
 } // namespace seiche

@@ -2,47 +2,21 @@
 #ifndef seiche_formulation_bulk_pressure_term_h
 #define seiche_formulation_bulk_pressure_term_h
 
-#include <seiche/formulation/term.h>
-#include <seiche/materials/volume_law.h>
+#include <seiche/formulation/volume_strain_term.h>
 
 namespace seiche
 {
   /// -V_t p div_t w with p = -kappa phi(J), a function of u (doc/theory.md
   /// (4.1)).
-  struct BulkPressureTerm : Term
+  struct BulkPressureTerm : VolumeStrainTerm
   {
-    VolumeLaw law;
-    double    elastic_time; ///< VolumeFactors::elastic_time
-
-    BulkPressureTerm(const VolumeLaw &law, const double elastic_time)
-      : law(law)
-      , elastic_time(elastic_time)
-    {}
-
-    template <int dim, int degree>
-    Lanes
-    volume_ratio(const CellData<dim, degree> &cell, const unsigned int q) const
-    {
-      return load<Lanes>(&cell.quadrature.volume_ratio[q]);
-    }
+    using VolumeStrainTerm::VolumeStrainTerm;
 
     template <int dim, int degree>
     void
     evaluate(PointState<dim, degree> &state) const
     {
-      const VolumeStrain<Lanes> strain(law,
-                                       elastic_time,
-                                       state.J_n,
-                                       state.point.det_1 * state.J_n);
-      state.pressure     = -law.bulk_modulus * strain.value;
-      state.strain_slope = strain.slope;
-    }
-
-    template <int dim, int degree>
-    void
-    linearize(PointState<dim, degree> &state) const
-    {
-      state.set_strain_slope();
+      state.pressure = -law.bulk_modulus * strain(state);
     }
 
     template <int dim, int degree>

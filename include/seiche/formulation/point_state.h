@@ -67,15 +67,6 @@ namespace seiche
       , rho_t(mass / volume_t)
     {}
 
-    /// dg = strain_slope div_1 du.
-    void
-    set_strain_slope()
-    {
-      for (unsigned int k = 0; k < dim; ++k)
-        for (unsigned int b = 0; b < n_nodes; ++b)
-          g_slope[k][b] = strain_slope * point.gradient_1[k][b];
-    }
-
     void
     evaluate_pressure()
     {

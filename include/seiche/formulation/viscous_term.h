@@ -117,15 +117,11 @@ namespace seiche
     {
       const auto g    = rows_of<dim>(state.point.gradient_t),
                  rows = rows_of<dim>(rate);
-      add_products(
-        cell,
-        state.n_points,
-        [&](const unsigned int i,
-            const unsigned int k,
-            const unsigned int q,
-            const unsigned int a) -> Row<cell.n_nodes> {
-          return rows[k].values[q][a] * g[i].row(q);
-        });
+      add_products(cell,
+                   state.n_points,
+                   [&](const auto i, const auto k, const auto q, const auto a) {
+                     return rows[k].values[q][a] * g[i].row(q);
+                   });
     }
 
     /// The viscosity's own derivative: add (e:grad_t w) (e:(m grad_t du)).
@@ -151,15 +147,11 @@ namespace seiche
           }
       const auto test_rows  = rows_of<dim>(test),
                  trial_rows = rows_of<dim>(trial);
-      add_products(
-        cell,
-        state.n_points,
-        [&](const unsigned int i,
-            const unsigned int k,
-            const unsigned int q,
-            const unsigned int a) -> Row<cell.n_nodes> {
-          return test_rows[i].values[q][a] * trial_rows[k].row(q);
-        });
+      add_products(cell,
+                   state.n_points,
+                   [&](const auto i, const auto k, const auto q, const auto a) {
+                     return test_rows[i].values[q][a] * trial_rows[k].row(q);
+                   });
     }
 
     /// Add theta V_t {(div_t du) s:grad_t w - s:(grad_t w grad_t du)}.
@@ -181,16 +173,12 @@ namespace seiche
             sg[i][a] = weight * force;
           }
       const auto g_rows = rows_of<dim>(g), sg_rows = rows_of<dim>(sg);
-      add_products(
-        cell,
-        state.n_points,
-        [&](const unsigned int i,
-            const unsigned int k,
-            const unsigned int q,
-            const unsigned int a) -> Row<cell.n_nodes> {
-          return sg_rows[i].values[q][a] * g_rows[k].row(q) -
-                 g_rows[k].values[q][a] * sg_rows[i].row(q);
-        });
+      add_products(cell,
+                   state.n_points,
+                   [&](const auto i, const auto k, const auto q, const auto a) {
+                     return sg_rows[i].values[q][a] * g_rows[k].row(q) -
+                            g_rows[k].values[q][a] * sg_rows[i].row(q);
+                   });
     }
 
     /// Add m_ik grad_t w_i.grad_t du_k.

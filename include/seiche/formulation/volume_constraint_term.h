@@ -2,57 +2,40 @@
 #ifndef seiche_formulation_volume_constraint_term_h
 #define seiche_formulation_volume_constraint_term_h
 
-#include <seiche/formulation/term.h>
+#include <seiche/formulation/volume_strain_term.h>
 #include <seiche/grid/time_scheme.h>
-#include <seiche/materials/volume_law.h>
 
 namespace seiche
 {
   /**
-   * @brief V0 q g, the constraint of a step (doc/theory.md (2.2), (4.3)), with
-   * the volume ratio that points have, in which a finite bulk modulus keeps the
-   * pressure, and
+   * @brief V0 q g, the constraint of a step (doc/theory.md (2.2), (4.3)):
    *
    *     g = phi(J) + p/kappa - jerk dt^3 (3 tr(l grad a) - 2 tr(l^3)),
    *
    * the last, div(D^2v/Dt^2), in cells that are not cut: there impacts gain
    * energy by it (3.3).
    */
-  struct VolumeConstraintTerm : Term
+  struct VolumeConstraintTerm : VolumeStrainTerm
   {
-    VolumeLaw     law;
-    VolumeFactors factors;
+    double jerk; ///< [-] VolumeFactors::jerk
 
-    VolumeConstraintTerm(const VolumeLaw     &law,
-                         const VolumeFactors &volume_factors)
-      : law(law)
-      , factors(volume_factors)
+    VolumeConstraintTerm(const VolumeLaw &law, const VolumeFactors &factors)
+      : VolumeStrainTerm(law, factors.elastic_time)
+      , jerk(factors.jerk)
     {}
 
     template <int dim, int degree>
     bool
     needs_velocity_gradient(const CellData<dim, degree> &cell) const
     {
-      return factors.jerk != 0. && !cell.is_cut;
-    }
-
-    template <int dim, int degree>
-    Lanes
-    volume_ratio(const CellData<dim, degree> &cell, const unsigned int q) const
-    {
-      return load<Lanes>(&cell.quadrature.volume_ratio[q]);
+      return jerk != 0. && !cell.is_cut;
     }
 
     template <int dim, int degree>
     void
     evaluate(PointState<dim, degree> &state) const
     {
-      const VolumeStrain<Lanes> strain(law,
-                                       factors.elastic_time,
-                                       state.J_n,
-                                       state.point.det_1 * state.J_n);
-      state.strain_slope = strain.slope;
-      state.g += strain.value + state.pressure * (1. / law.bulk_modulus);
+      state.g += strain(state) + state.pressure * (1. / law.bulk_modulus);
       if (!needs_velocity_gradient(state.cell))
         return;
       const auto &cell   = state.cell;
@@ -72,7 +55,7 @@ namespace seiche
     void
     linearize(PointState<dim, degree> &state) const
     {
-      state.set_strain_slope();
+      VolumeStrainTerm::linearize(state);
       if (!needs_velocity_gradient(state.cell))
         return;
       const StepCoefficients              &c      = state.cell.coefficients;
@@ -120,7 +103,7 @@ namespace seiche
     weight(const CellData<dim, degree> &cell) const
     {
       const double dt = cell.coefficients.dt;
-      return factors.jerk * dt * dt * dt;
+      return jerk * dt * dt * dt;
     }
   };
 } // namespace seiche
