@@ -61,7 +61,7 @@ namespace seiche
     , body_force(scene.body_force, tank_motion, scene.input)
     , wall_velocity(scene.grid, scene.input, scene.time.end_time)
     , wall_conditions(wall_velocity, wall_motion, occupancy)
-    , dry_edges(occupancy)
+    , convex_edges(occupancy, formulation.has_pressure())
     , row_mass(occupancy, needs_row_mass(scene))
     , wall_friction(occupancy, row_mass)
     , wall_contact(wall_conditions, occupancy, row_mass, body_force, materials)
@@ -144,7 +144,7 @@ namespace seiche
     row_mass.reinit();
     if (!time_scheme->needs_acceleration())
       {
-        dry_edges.reinit();
+        convex_edges.reinit();
         wall_friction.reinit();
       }
   }

@@ -84,7 +84,7 @@ namespace seiche
         "lid is not seen. Leave room above the fluid, choose smaller cells or "
         "open a wall.",
         state.time));
-    problem.dry_edges.update(state);
+    problem.convex_edges.update(state);
     linear_solver.begin_step();
   }
 
@@ -155,12 +155,15 @@ namespace seiche
   {
     if (!measures_forces)
       return;
-    state.start_reaction = 0.;
+    if (is_projected)
+      state.start_reaction = state.reaction;
+    else
+      state.start_reaction = 0.;
+    // walls give their velocity first, then the projection pushes
     problem.occupancy.constraints.for_each_fixed([&](const auto &direction) {
-      // walls give their velocity first, then the projection pushes
       direction.set(state.start_reaction,
-                    wall_impulse(state, problem.row_mass, direction) +
-                      (is_projected ? direction.of(state.reaction) : 0.));
+                    direction.of(state.start_reaction) +
+                      wall_impulse(state, problem.row_mass, direction));
     });
   }
 

@@ -110,10 +110,11 @@ namespace seiche
     residual = 0.;
     add_residual(state, residual);
     residual.compress(VectorOperation::add);
+    state.reaction = 0.; // components may have been released
+    add_edge_pressure(state, residual.block(0));
     if (const auto *closed = closed_chambers())
       closed->balance_rows(residual.block(1), state.mass);
 
-    state.reaction = 0.; // components may have been released
     occupancy.constraints.for_each_fixed([&](const auto &direction) {
       direction.set(state.reaction, direction.of(residual.block(0)));
       direction.set(residual.block(0), 0.);
@@ -149,6 +150,42 @@ namespace seiche
     nodes.add(data.residual_u, sums.block(0).begin());
     if (formulation.has_pressure())
       nodes.add(data.residual_p, sums.block(1).begin());
+  }
+
+  template <int dim>
+  template <int degree>
+  EdgePressure<dim, degree>
+  Assembler<dim>::edge_pressure(const unsigned int cell) const
+  {
+    const auto &locator = occupancy.locator;
+    return {locator.geometry(cell),
+            occupancy.template unknowns<degree>(cell),
+            occupancy.constraints,
+            [&](const unsigned int face) {
+              const auto wall = locator.boundary_id(cell, face);
+              return wall != numbers::internal_face_boundary_id &&
+                     locator.grid.wall(wall).condition != WallCondition::open;
+            }};
+  }
+
+  template <int dim>
+  void
+  Assembler<dim>::add_edge_pressure(GridState<dim> &state,
+                                    Vector         &residual) const
+  {
+    if (!formulation.has_pressure() || !occupancy.constraints.exist_obliques())
+      return;
+    Vector force(occupancy.vector_partitioner());
+    for (const unsigned int cell : occupancy.occupied_cells())
+      with_degree(occupancy.degree(cell), [&](const auto degree) {
+        const auto nodes = occupancy.template unknowns<degree>(cell);
+        if (has_edge_pressure(nodes))
+          this->template edge_pressure<degree>(cell).add_force(
+            nodes, state.pressure().begin(), force.begin());
+      });
+    force.compress(VectorOperation::add);
+    residual.add(1., force);
+    state.reaction.add(-1., force);
   }
 
   template <int dim>
@@ -234,7 +271,11 @@ namespace seiche
           if (condensed)
             data.condense(unknowns);
           if (oblique)
-            data.project(unknowns, occupancy.constraints);
+            {
+              if (has_edge_pressure(unknowns))
+                this->template edge_pressure<degree>(cell).add_tangent(data);
+              data.project(unknowns, occupancy.constraints);
+            }
           last = reusable ? data.geometry : CellGeometry<dim>();
         }
       matrix.add_cell(cell, data);

@@ -62,9 +62,9 @@ namespace seiche
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         this->template add_balance<degree>(cell, state, sums);
       });
-    occupancy.constraints.for_each_fixed([&](const auto &direction) {
-      sums.walls += direction.of(state.reaction) * direction.unit_vector();
-    });
+    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        sums.walls[c] += state.reaction.local_element(dim * node + c);
     const MPI_Comm communicator =
       occupancy.scalar_partitioner()->get_mpi_communicator();
     sums.inertia     = Utilities::MPI::sum(sums.inertia, communicator);

@@ -18,6 +18,7 @@ namespace seiche
     mesh_node   = &nodes;
     partitioner = node_partitioner;
     obliques.clear();
+    obliques_exist = false;
     fixed.resize(nodes.size());
     for (unsigned int node = 0; node < fixed.size(); ++node)
       fixed[node] = wall_components(node);
@@ -43,6 +44,7 @@ namespace seiche
   NodeConstraints<dim>::set_dry(const unsigned int node,
                                 const unsigned int components)
   {
+    obliques.erase(node);
     held[node] = fixed[node] = wall_components(node) & ~components;
   }
 
@@ -93,9 +95,14 @@ namespace seiche
         normals[c].update_ghost_values();
       }
     for (unsigned int node = held.size(); node < fixed.size(); ++node)
-      if ((fixed[node] >> dim) & 1u)
+      if (is_oblique(node))
         for (unsigned int c = 0; c < dim; ++c)
           obliques[node].normal[c] = normals[c].local_element(node);
+      else
+        obliques.erase(node);
+    obliques_exist =
+      Utilities::MPI::logical_or(!obliques.empty(),
+                                 partitioner->get_mpi_communicator());
   }
 
   template class NodeConstraints<2>;

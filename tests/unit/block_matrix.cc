@@ -41,7 +41,7 @@ namespace
            const Fill<dim>      &fill,
            BlockMatrix<dim>     &matrix)
   {
-    CellData<dim, 1> data;
+    CellMatrix<dim, 1> data;
     matrix.reinit(fill);
     matrix.set_zero();
     for (const unsigned int cell : occupancy.occupied_cells())
@@ -49,8 +49,8 @@ namespace
         const Point<dim> corner = occupancy.locator.geometry(cell).lower;
         const auto       entry =
           [&](auto &block, const double shift, const double diagonal) {
-            for (unsigned int a = 0; a < CellData<dim, 1>::n_nodes; ++a)
-              for (unsigned int b = 0; b < CellData<dim, 1>::n_nodes; ++b)
+            for (unsigned int a = 0; a < CellMatrix<dim, 1>::n_nodes; ++a)
+              for (unsigned int b = 0; b < CellMatrix<dim, 1>::n_nodes; ++b)
                 block[a][b] = std::cos(a + 2. * b + shift + corner[0]) +
                               (a == b ? diagonal : 0.);
             occupancy.template unknowns<1>(cell).condense_matrix(block);

@@ -2,8 +2,8 @@
 #ifndef seiche_simulation_problem_h
 #define seiche_simulation_problem_h
 
+#include <seiche/grid/convex_edges.h>
 #include <seiche/grid/density_projection.h>
-#include <seiche/grid/dry_edges.h>
 #include <seiche/grid/mesh_adaptation.h>
 #include <seiche/grid/point_control.h>
 #include <seiche/grid/wall_contact.h>
@@ -112,7 +112,7 @@ namespace seiche
     const BodyForce<dim>      body_force;
     const WallVelocity<dim>   wall_velocity;
     const WallConditions<dim> wall_conditions;
-    DryEdges<dim>             dry_edges;
+    ConvexEdges<dim>          convex_edges;
     RowMass<dim>              row_mass;
     WallFriction<dim>         wall_friction;
     WallContact<dim>          wall_contact;

@@ -6,6 +6,7 @@
 #include <seiche/formulation/formulation.h>
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/scene/body_force.h>
+#include <seiche/solve/edge_pressure.h>
 #include <seiche/solve/step_balance.h>
 #include <seiche/utilities/timer_tree.h>
 
@@ -183,6 +184,23 @@ namespace seiche
     template <int degree>
     void
     gather_projection(const unsigned int cell);
+
+    template <typename CellNodes>
+    bool
+    has_edge_pressure(const CellNodes &nodes) const
+    {
+      return formulation.has_pressure() && nodes.matrix == nullptr &&
+             occupancy.constraints.any_oblique(nodes);
+    }
+
+    template <int degree>
+    EdgePressure<dim, degree>
+    edge_pressure(const unsigned int cell) const;
+
+    /// Of all cells to the residual of the displacements, and to what walls
+    /// give the fluid. Collective.
+    void
+    add_edge_pressure(GridState<dim> &state, Vector &residual) const;
 
     /// Add the cell's residuals to the nodes', to the masters of those that are
     /// no unknowns.

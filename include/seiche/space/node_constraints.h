@@ -116,7 +116,21 @@ namespace seiche
       return (fixed[node] >> dim) & 1u;
     }
 
-    /// True if one of a cell's @p nodes has an oblique normal.
+    /// True if walls hold a node along an oblique normal, released or not.
+    bool
+    has_oblique_normal(const unsigned int node) const
+    {
+      return obliques.count(node) > 0;
+    }
+
+    /// True if there are such nodes, on any rank.
+    bool
+    exist_obliques() const
+    {
+      return obliques_exist;
+    }
+
+    /// True if one of a cell's @p nodes is fixed along an oblique normal.
     template <typename CellNodes>
     bool
     any_oblique(const CellNodes &nodes) const
@@ -238,6 +252,7 @@ namespace seiche
     std::vector<unsigned int>                 held;     ///< own nodes
     std::vector<unsigned int>                 fixed;    ///< own and ghost nodes
     std::unordered_map<unsigned int, Oblique> obliques; ///< by node
+    bool obliques_exist = false;                        ///< on any rank
   };
 } // namespace seiche
 

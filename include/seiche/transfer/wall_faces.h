@@ -43,14 +43,21 @@ namespace seiche
                   locator.grid.wall(wall).condition == WallCondition::open)
                 continue;
               // where nodes differ (hanging ones, contacts) the farthest counts
-              double way = -infinite;
+              const auto &constraints = occupancy.constraints;
+              double      way = -infinite, of_edge = -infinite;
               for (unsigned int a = 0; a < nodes.n_nodes; ++a)
-                if (Basis<dim, degree>::line_index(a, d) == side * degree &&
-                    (occupancy.constraints.fixed_components(nodes[a]) &
-                     (1u << d | 1u << dim)))
-                  way = std::max(way, side == 0 ? -u[d][a] : u[d][a]);
+                if (Basis<dim, degree>::line_index(a, d) == side * degree)
+                  {
+                    const double outwards = side == 0 ? -u[d][a] : u[d][a];
+                    // released or not, its normal does not stop it here
+                    if (constraints.has_oblique_normal(nodes[a]))
+                      of_edge = std::max(of_edge, outwards);
+                    else if ((constraints.fixed_components(nodes[a]) >> d) & 1u)
+                      way = std::max(way, outwards);
+                  }
               if (way == -infinite)
                 continue;
+              way = std::max(way, of_edge);
               if (side == 0)
                 lower[d] = geometry.lower[d] - way;
               else

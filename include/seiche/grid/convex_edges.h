@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_dry_edges_h
-#define seiche_grid_dry_edges_h
+#ifndef seiche_grid_convex_edges_h
+#define seiche_grid_convex_edges_h
 
 #include <seiche/grid/grid_state.h>
 
@@ -18,14 +18,16 @@ namespace seiche
    * has one of the obstacle's faces normal to it. If no face at the node has
    * fluid, which is then in the cell across the edge only, the fluid may go
    * to either side but not into the edge: if all components point
-   * there, the slowest one stays fixed.
+   * there, the slowest one stays fixed. With several wet faces the node is
+   * fixed along their mean normal instead (8.0c), if the formulation has a
+   * pressure.
    */
   template <int dim>
-  class DryEdges
+  class ConvexEdges
   {
   public:
-    /// References must outlive the object.
-    explicit DryEdges(Occupancy<dim> &occupancy);
+    /// References must outlive the object. @p with_pressure: of formulation.
+    ConvexEdges(Occupancy<dim> &occupancy, const bool with_pressure);
 
     /// After a change of the occupied cells: find the faces with fluid at them.
     void
@@ -57,6 +59,7 @@ namespace seiche
 
     Occupancy<dim>       &occupancy;
     const bool            exist; ///< obstacles
+    const bool            with_pressure;
     std::vector<WallNode> nodes;
   };
 } // namespace seiche

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/dry_edges.h>
+#include <seiche/grid/convex_edges.h>
 
 #include <limits>
 
@@ -17,14 +17,16 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  DryEdges<dim>::DryEdges(Occupancy<dim> &grid_occupancy)
+  ConvexEdges<dim>::ConvexEdges(Occupancy<dim> &grid_occupancy,
+                                const bool      has_pressure)
     : occupancy(grid_occupancy)
     , exist(grid_occupancy.locator.grid.parameters.obstacles().size() > 0)
+    , with_pressure(has_pressure)
   {}
 
   template <int dim>
   void
-  DryEdges<dim>::reinit()
+  ConvexEdges<dim>::reinit()
   {
     nodes.clear();
     if (!exist)
@@ -74,7 +76,7 @@ namespace seiche
 
   template <int dim>
   unsigned int
-  DryEdges<dim>::obstacle_components(const unsigned int node) const
+  ConvexEdges<dim>::obstacle_components(const unsigned int node) const
   {
     unsigned int slip = 0, other = 0;
     for (const auto &[wall, component, sides, cell, is_normal] :
@@ -90,9 +92,9 @@ namespace seiche
 
   template <int dim>
   unsigned int
-  DryEdges<dim>::slowest_inward(const unsigned int    node,
-                                const unsigned int    components,
-                                const GridState<dim> &state) const
+  ConvexEdges<dim>::slowest_inward(const unsigned int    node,
+                                   const unsigned int    components,
+                                   const GridState<dim> &state) const
   {
     unsigned int result = dim;
     double       least  = std::numeric_limits<double>::max();
@@ -116,7 +118,7 @@ namespace seiche
 
   template <int dim>
   void
-  DryEdges<dim>::update(const GridState<dim> &state)
+  ConvexEdges<dim>::update(const GridState<dim> &state)
   {
     if (!exist)
       return;
@@ -132,7 +134,7 @@ namespace seiche
               free &= ~(1u << slowest);
           }
         occupancy.constraints.set_dry(node, free);
-        if (has_several(wet) && !has_several(wet & concave))
+        if (with_pressure && has_several(wet) && !has_several(wet & concave))
           {
             Tensor<1, dim> normal;
             for (unsigned int c = 0; c < dim; ++c)
@@ -146,6 +148,6 @@ namespace seiche
     occupancy.constraints.share_obliques();
   }
 
-  template class DryEdges<2>;
-  template class DryEdges<3>;
+  template class ConvexEdges<2>;
+  template class ConvexEdges<3>;
 } // namespace seiche

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_solve_edge_pressure_h
+#define seiche_solve_edge_pressure_h
+
+#include <seiche/algebra/cell_matrix.h>
+#include <seiche/space/node_constraints.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace seiche
+{
+  /**
+   * @brief Pressure of walls' faces at the nodes of a cell that an oblique
+   * normal n holds (doc/theory.md (8.0e)):
+   *
+   *     G_Ib = (I - n n^T) sum_f n_f int_f N_I N_b dA,
+   *
+   * n_f out of the fluid. Such a node's test function is not tangential to the
+   * faces, so that the wall's pressure does not drop out; without it water at
+   * rest would move round the edge. Faces count as a whole.
+   */
+  template <int dim, int degree>
+  class EdgePressure
+  {
+  public:
+    using Shape                           = Basis<dim, degree>;
+    static constexpr unsigned int n_nodes = Shape::n_nodes;
+
+    /// @p is_wall(face): of this cell.
+    template <typename IsWall>
+    EdgePressure(const CellGeometry<dim>         &geometry,
+                 const CellUnknowns<dim, degree> &nodes,
+                 const NodeConstraints<dim>      &constraints,
+                 const IsWall                    &is_wall)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int side = 0; side < 2; ++side)
+          if (is_wall(2 * d + side))
+            for (unsigned int a = 0; a < n_nodes; ++a)
+              if (Shape::line_index(a, d) == side * degree &&
+                  constraints.is_oblique(nodes[a]))
+                add_face(
+                  geometry, d, side, a, constraints.oblique_normal(nodes[a]));
+    }
+
+    /// @p force [N] += G p; both by node of the grid.
+    void
+    add_force(const CellUnknowns<dim, degree> &nodes,
+              const double                    *pressure,
+              double                          *force) const
+    {
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          for (unsigned int b = 0; b < n_nodes; ++b)
+            force[dim * nodes[a] + i] += G[i][a][b] * pressure[nodes[b]];
+    }
+
+    /// After the cell's own tangent.
+    void
+    add_tangent(CellMatrix<dim, degree> &cell) const
+    {
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          for (unsigned int b = 0; b < n_nodes; ++b)
+            cell.up[i][a][b] += G[i][a][b];
+    }
+
+  private:
+    void
+    add_face(const CellGeometry<dim>      &geometry,
+             const unsigned int            d,
+             const unsigned int            side,
+             const unsigned int            a,
+             const dealii::Tensor<1, dim> &normal)
+    {
+      const double                 outward = side == 0 ? -1. : 1.;
+      const dealii::Tensor<1, dim> direction =
+        outward * (dealii::Point<dim>::unit_vector(d) - normal[d] * normal);
+      for (unsigned int b = 0; b < n_nodes; ++b)
+        if (Shape::line_index(b, d) == side * degree)
+          {
+            double mass = geometry.measure / geometry.edges[d];
+            for (unsigned int c = 0; c < dim; ++c)
+              if (c != d)
+                mass *=
+                  line_mass(Shape::line_index(a, c), Shape::line_index(b, c));
+            for (unsigned int i = 0; i < dim; ++i)
+              G[i][a][b] += mass * direction[i];
+          }
+    }
+
+    /// int_0^1 N_i N_j.
+    static double
+    line_mass(const unsigned int i, const unsigned int j)
+    {
+      static const dealii::QGauss<1> quadrature(degree + 1);
+      double                         result = 0.;
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          double N[degree + 1];
+          Shape::line_values(quadrature.point(q)[0], N);
+          result += quadrature.weight(q) * N[i] * N[j];
+        }
+      return result;
+    }
+
+    double G[dim][n_nodes][n_nodes] = {};
+  };
+} // namespace seiche
+
+#endif
