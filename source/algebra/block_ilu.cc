@@ -65,6 +65,82 @@ namespace seiche
             to[c * n_rows + r] = static_cast<float>(block[r][c]);
       }
     };
+
+    /// The row at work: entries below and above the diagonal, and where a
+    /// column is found among them.
+    template <int dim>
+    struct WorkRow
+    {
+      static constexpr int none = -1;
+
+      explicit WorkRow(const unsigned int n_columns)
+        : place(n_columns, none)
+      {}
+
+      void
+      read(const BlockMatrix<dim> &matrix,
+           const unsigned int      row,
+           const double            diagonal_factor)
+      {
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            for (const unsigned int column : columns[side])
+              place[column] = none;
+            columns[side].clear();
+            blocks[side].clear();
+          }
+        const NodePattern<dim> &pattern = matrix.sparsity();
+        diagonal = of_entry(matrix, pattern.diagonal_of(row));
+        for (unsigned int c = 0; c < dim; ++c)
+          diagonal.column[c][c] *= diagonal_factor;
+        if (matrix.is_empty(row))
+          return;
+        for (unsigned int k = pattern.row_begin(row);
+             k < pattern.row_begin(row + 1);
+             ++k)
+          {
+            const unsigned int column = pattern.column_of(k);
+            if (column == row || column >= place.size() ||
+                matrix.is_empty(column))
+              continue;
+            const unsigned int side = column > row;
+            place[column]           = blocks[side].size();
+            columns[side].push_back(column);
+            blocks[side].push_back(of_entry(matrix, k));
+          }
+      }
+
+      /// Subtract L times a stored block from the entry of a column, if there
+      /// is one.
+      void
+      subtract(const unsigned int  row,
+               const unsigned int  column,
+               const Columns<dim> &L,
+               const float        *B)
+      {
+        if (column == row)
+          diagonal -= L * B;
+        else if (place[column] != none)
+          blocks[column > row][place[column]] -= L * B;
+      }
+
+      Columns<dim>              diagonal;
+      std::vector<unsigned int> columns[2]; ///< of L, of U
+      std::vector<Columns<dim>> blocks[2];
+
+    private:
+      static Columns<dim>
+      of_entry(const BlockMatrix<dim> &matrix, const unsigned int entry)
+      {
+        Columns<dim> block = {};
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int r = 0; r < dim; ++r)
+            block.column[c][r] = matrix.value(entry, r, c);
+        return block;
+      }
+
+      std::vector<int> place;
+    };
   } // namespace
 
   template <int dim>
@@ -72,9 +148,7 @@ namespace seiche
   BlockILU<dim>::initialize(const BlockMatrix<dim> &matrix,
                             const double            diagonal_factor)
   {
-    using Block                     = Columns<dim>;
-    const NodePattern<dim> &pattern = matrix.sparsity();
-    const unsigned int      n       = matrix.occupancy.n_own_nodes();
+    const unsigned int n = matrix.occupancy.n_own_nodes();
     for (Triangle *triangle : {&lower, &upper})
       {
         triangle->begin.assign(1, 0);
@@ -83,9 +157,9 @@ namespace seiche
       }
     inverses.assign(n * size, 0.f);
 
-    const auto append = [&](Triangle                        &triangle,
-                            const std::vector<unsigned int> &columns,
-                            const std::vector<Block>        &blocks) {
+    const auto append = [](Triangle                        &triangle,
+                           const std::vector<unsigned int> &columns,
+                           const std::vector<Columns<dim>> &blocks) {
       const std::size_t first = triangle.blocks.size();
       triangle.column.insert(triangle.column.end(),
                              columns.begin(),
@@ -96,71 +170,27 @@ namespace seiche
       triangle.begin.push_back(triangle.column.size());
     };
 
-    // the row at work: L, diagonal, U, and where a column is found in it
-    constexpr int             none = -1;
-    std::vector<int>          place(n, none);
-    std::vector<unsigned int> columns[2];
-    std::vector<Block>        blocks[2];
+    WorkRow<dim> work(n);
     for (unsigned int row = 0; row < n; ++row)
       {
-        Block diagonal = {};
-        for (unsigned int side = 0; side < 2; ++side)
-          {
-            columns[side].clear();
-            blocks[side].clear();
-          }
-        const auto add_entry = [&](const unsigned int entry) {
-          const unsigned int column = pattern.column_of(entry);
-          Block              block  = {};
-          for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int r = 0; r < dim; ++r)
-              block.column[c][r] = matrix.value(entry, r, c);
-          if (column == row)
-            {
-              diagonal = block;
-              for (unsigned int c = 0; c < dim; ++c)
-                diagonal.column[c][c] *= diagonal_factor;
-            }
-          else if (column < n && !matrix.is_empty(column))
-            {
-              const unsigned int side = column > row;
-              place[column]           = blocks[side].size();
-              columns[side].push_back(column);
-              blocks[side].push_back(block);
-            }
-        };
-        if (matrix.is_empty(row))
-          add_entry(pattern.diagonal_of(row));
-        else
-          for (unsigned int k = pattern.row_begin(row);
-               k < pattern.row_begin(row + 1);
-               ++k)
-            add_entry(k);
-
+        work.read(matrix, row, diagonal_factor);
         // eliminate with the rows before
-        for (unsigned int l = 0; l < columns[0].size(); ++l)
+        for (unsigned int l = 0; l < work.columns[0].size(); ++l)
           {
-            const unsigned int other = columns[0][l];
-            const Block        L     = blocks[0][l] * &inverses[other * size];
-            blocks[0][l]             = L;
+            const unsigned int other = work.columns[0][l];
+            const Columns<dim> L = work.blocks[0][l] * &inverses[other * size];
+            work.blocks[0][l]    = L;
             for (unsigned int u = upper.begin[other];
                  u < upper.begin[other + 1];
                  ++u)
-              {
-                const unsigned int column = upper.column[u];
-                if (column == row)
-                  diagonal -= L * &upper.blocks[std::size_t(u) * size];
-                else if (place[column] != none)
-                  blocks[column > row][place[column]] -=
-                    L * &upper.blocks[std::size_t(u) * size];
-              }
+              work.subtract(row,
+                            upper.column[u],
+                            L,
+                            &upper.blocks[std::size_t(u) * size]);
           }
-        diagonal.store_inverse(&inverses[row * size]);
-        append(lower, columns[0], blocks[0]);
-        append(upper, columns[1], blocks[1]);
-        for (unsigned int side = 0; side < 2; ++side)
-          for (const unsigned int column : columns[side])
-            place[column] = none;
+        work.diagonal.store_inverse(&inverses[row * size]);
+        append(lower, work.columns[0], work.blocks[0]);
+        append(upper, work.columns[1], work.blocks[1]);
       }
   }
 

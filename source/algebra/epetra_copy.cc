@@ -9,6 +9,53 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Entries by row: how many, their local columns, their values.
+    struct Entries
+    {
+      std::vector<int>    lengths, columns;
+      std::vector<double> values;
+    };
+
+    template <int dim>
+    Entries
+    collect(const BlockMatrix<dim> &matrix,
+            const FieldRange        rows,
+            const FieldRange        columns)
+    {
+      const NodePattern<dim> &pattern = matrix.sparsity();
+      const bool square = rows.first == columns.first && rows.n == columns.n;
+      Entries    result;
+      for (unsigned int node = 0; node < matrix.occupancy.n_own_nodes(); ++node)
+        for (unsigned int r = 0; r < rows.n; ++r)
+          {
+            const std::size_t before = result.columns.size();
+            const auto        visit  = [&](const unsigned int entry) {
+              const unsigned int column = pattern.column_of(entry);
+              for (unsigned int c = 0; c < columns.n; ++c)
+                {
+                  const double value =
+                    matrix.value(entry, rows.first + r, columns.first + c);
+                  if (value == 0. && !(square && column == node && r == c))
+                    continue;
+                  result.columns.push_back(column * columns.n + c);
+                  result.values.push_back(value);
+                }
+            };
+            if (matrix.is_empty(node))
+              visit(pattern.diagonal_of(node));
+            else
+              for (unsigned int k = pattern.row_begin(node);
+                   k < pattern.row_begin(node + 1);
+                   ++k)
+                visit(k);
+            result.lengths.push_back(result.columns.size() - before);
+          }
+      return result;
+    }
+  } // namespace
+
   template <int dim>
   std::unique_ptr<Epetra_CrsMatrix>
   epetra_copy(const BlockMatrix<dim> &matrix,
@@ -30,51 +77,22 @@ namespace seiche
     };
     const Epetra_Map row_map    = make_map(n_own, rows.n);
     const Epetra_Map domain_map = make_map(n_own, columns.n);
-    const bool square = rows.first == columns.first && rows.n == columns.n;
-
-    std::vector<int>    lengths, indices;
-    std::vector<double> values;
-    for (unsigned int node = 0; node < n_own; ++node)
-      for (unsigned int r = 0; r < rows.n; ++r)
-        {
-          const std::size_t before = indices.size();
-          const auto        visit  = [&](const unsigned int entry) {
-            const unsigned int column = pattern.column_of(entry);
-            for (unsigned int c = 0; c < columns.n; ++c)
-              {
-                const double value =
-                  matrix.value(entry, rows.first + r, columns.first + c);
-                if (value == 0. && !(square && column == node && r == c))
-                  continue;
-                indices.push_back(column * columns.n + c);
-                values.push_back(value);
-              }
-          };
-          if (matrix.is_empty(node))
-            visit(pattern.diagonal_of(node));
-          else
-            for (unsigned int k = pattern.row_begin(node);
-                 k < pattern.row_begin(node + 1);
-                 ++k)
-              visit(k);
-          lengths.push_back(indices.size() - before);
-        }
-
-    auto result =
+    Entries          entries    = collect(matrix, rows, columns);
+    auto             result =
       std::make_unique<Epetra_CrsMatrix>(Copy,
                                          row_map,
                                          make_map(pattern.n_columns(),
                                                   columns.n),
-                                         lengths.data(),
+                                         entries.lengths.data(),
                                          /*StaticProfile=*/true);
     std::size_t begin = 0;
-    for (unsigned int row = 0; row < lengths.size(); ++row)
+    for (unsigned int row = 0; row < entries.lengths.size(); ++row)
       {
         result->InsertMyValues(row,
-                               lengths[row],
-                               &values[begin],
-                               &indices[begin]);
-        begin += lengths[row];
+                               entries.lengths[row],
+                               &entries.values[begin],
+                               &entries.columns[begin]);
+        begin += entries.lengths[row];
       }
     result->FillComplete(domain_map, row_map);
     result->OptimizeStorage();

@@ -63,8 +63,8 @@ namespace seiche
   {
     const auto &locator = occupancy.locator;
     return locator.level(lower) >= locator.level(upper) ?
-             lower * 2 * dim + 2 * direction + 1 :
-             upper * 2 * dim + 2 * direction;
+             lower * 2 * dim + BoxFace(direction, /*upper=*/true) :
+             upper * 2 * dim + BoxFace(direction, /*upper=*/false);
   }
 
   template <int dim>
@@ -163,11 +163,18 @@ namespace seiche
   NodePattern<dim>::entry(const unsigned int row_node,
                           const unsigned int column_node) const
   {
-    const unsigned int wanted = column_of_node[column_node];
-    const auto         begin  = column.begin() + begin_of_row[row_node];
-    const auto         end    = column.begin() + begin_of_row[row_node + 1];
-    const auto         found  = std::lower_bound(begin, end, wanted);
-    Assert(found != end && *found == wanted, ExcInternalError());
+    return find(row_node, column_of_node[column_node]);
+  }
+
+  template <int dim>
+  unsigned int
+  NodePattern<dim>::find(const unsigned int row_node,
+                         const unsigned int column_number) const
+  {
+    const auto begin = column.begin() + begin_of_row[row_node];
+    const auto end   = column.begin() + begin_of_row[row_node + 1];
+    const auto found = std::lower_bound(begin, end, column_number);
+    Assert(found != end && *found == column_number, ExcInternalError());
     return found - column.begin();
   }
 

@@ -14,27 +14,58 @@ namespace seiche
   namespace
   {
     constexpr int exchange_tag = 4711;
-  }
+
+    using Index = types::global_dof_index;
+
+    /// f(global row, its global columns, their number) for the rows of
+    /// messages.
+    template <typename Messages, typename Function>
+    void
+    for_each_row(const Messages &messages, const Function &f)
+    {
+      for (const auto &[rank, message] : messages)
+        for (std::size_t i = 0; i < message.size(); i += 2 + message[i + 1])
+          f(message[i], message.data() + i + 2, message[i + 1]);
+    }
+  } // namespace
 
   template <int dim>
   void
   NodePattern<dim>::exchange_couplings()
   {
-    using Index                     = types::global_dof_index;
-    const auto        &nodes        = *occupancy.scalar_partitioner();
-    const auto         communicator = nodes.get_mpi_communicator();
-    const unsigned int n_own        = occupancy.n_own_nodes();
     sent.clear();
     received.clear();
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+    const auto &nodes = *occupancy.scalar_partitioner();
+    if (Utilities::MPI::n_mpi_processes(nodes.get_mpi_communicator()) == 1)
       {
         columns = occupancy.scalar_partitioner();
         return;
       }
+    const RowMessages incoming = send_ghost_rows();
+    number_columns(incoming);
+    merge_rows(incoming);
+    for (const auto &message : incoming)
+      {
+        received.push_back({message.first, 0, 0, {}});
+        for_each_row(RowMessages{message},
+                     [&](const Index  global,
+                         const Index *globals,
+                         const Index  n) {
+                       const unsigned int row = nodes.global_to_local(global);
+                       for (Index k = 0; k < n; ++k)
+                         received.back().entries.push_back(
+                           find(row, columns->global_to_local(globals[k])));
+                     });
+      }
+  }
 
-    // ghost rows to their owners: global row, number of columns, columns
-    std::map<unsigned int, std::vector<Index>> outgoing;
-    unsigned int                               row = n_own;
+  template <int dim>
+  typename NodePattern<dim>::RowMessages
+  NodePattern<dim>::send_ghost_rows()
+  {
+    const auto  &nodes = *occupancy.scalar_partitioner();
+    RowMessages  outgoing;
+    unsigned int row = occupancy.n_own_nodes();
     for (const auto &[rank, n_rows] : nodes.ghost_targets())
       {
         std::vector<Index> &message = outgoing[rank];
@@ -49,47 +80,53 @@ namespace seiche
               message.push_back(nodes.local_to_global(column[k]));
           }
       }
-    const auto incoming = Utilities::MPI::some_to_some(communicator, outgoing);
+    return Utilities::MPI::some_to_some(nodes.get_mpi_communicator(), outgoing);
+  }
 
-    // what is not own gets a number after the own ones
+  template <int dim>
+  void
+  NodePattern<dim>::number_columns(const RowMessages &incoming)
+  {
+    const auto        &nodes = *occupancy.scalar_partitioner();
     std::vector<Index> ghosts;
     const auto         note = [&](const Index global) {
       if (!nodes.in_local_range(global))
         ghosts.push_back(global);
     };
-    for (unsigned int i = n_own; i < occupancy.n_local_nodes(); ++i)
+    for (unsigned int i = occupancy.n_own_nodes();
+         i < occupancy.n_local_nodes();
+         ++i)
       note(nodes.local_to_global(i));
-    const auto for_each_row = [](const std::vector<Index> &message,
-                                 const auto               &f) {
-      for (std::size_t i = 0; i < message.size(); i += 2 + message[i + 1])
-        f(message[i], message.data() + i + 2, message[i + 1]);
-    };
-    for (const auto &[rank, message] : incoming)
-      for_each_row(message,
-                   [&](const Index, const Index *globals, const Index n) {
-                     std::for_each(globals, globals + n, note);
-                   });
+    for_each_row(incoming,
+                 [&](const Index, const Index *globals, const Index n) {
+                   std::for_each(globals, globals + n, note);
+                 });
     std::sort(ghosts.begin(), ghosts.end());
     ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
     IndexSet ghost_set(nodes.size());
     ghost_set.add_indices(ghosts.begin(), ghosts.end());
     columns = std::make_shared<const Utilities::MPI::Partitioner>(
-      nodes.locally_owned_range(), ghost_set, communicator);
+      nodes.locally_owned_range(), ghost_set, nodes.get_mpi_communicator());
+  }
 
-    // all rows in the new numbers, own rows with what was received
+  template <int dim>
+  void
+  NodePattern<dim>::merge_rows(const RowMessages &incoming)
+  {
+    const auto        &nodes = *occupancy.scalar_partitioner();
+    const unsigned int n_own = occupancy.n_own_nodes();
     std::vector<std::vector<unsigned int>> more(n_own);
-    for (const auto &[rank, message] : incoming)
-      for_each_row(
-        message, [&](const Index global, const Index *globals, const Index n) {
-          auto &list = more[nodes.global_to_local(global)];
-          for (Index k = 0; k < n; ++k)
-            list.push_back(columns->global_to_local(globals[k]));
-        });
+    for_each_row(incoming,
+                 [&](const Index global, const Index *globals, const Index n) {
+                   auto &list = more[nodes.global_to_local(global)];
+                   for (Index k = 0; k < n; ++k)
+                     list.push_back(columns->global_to_local(globals[k]));
+                 });
     std::vector<unsigned int> old_begin, old_column, list;
     old_begin.swap(begin_of_row);
     old_column.swap(column);
     begin_of_row.assign(1, 0);
-    for (row = 0; row + 1 < old_begin.size(); ++row)
+    for (unsigned int row = 0; row + 1 < old_begin.size(); ++row)
       {
         list.clear();
         for (unsigned int k = old_begin[row]; k < old_begin[row + 1]; ++k)
@@ -110,23 +147,6 @@ namespace seiche
       {
         exchange.begin += shift;
         exchange.end += shift;
-      }
-    for (const auto &[rank, message] : incoming)
-      {
-        received.push_back({rank, 0, 0, {}});
-        for_each_row(
-          message,
-          [&](const Index global, const Index *globals, const Index n) {
-            const unsigned int own_row = nodes.global_to_local(global);
-            const auto         begin   = column.begin() + begin_of_row[own_row];
-            const auto         end = column.begin() + begin_of_row[own_row + 1];
-            for (Index k = 0; k < n; ++k)
-              received.back().entries.push_back(
-                std::lower_bound(begin,
-                                 end,
-                                 columns->global_to_local(globals[k])) -
-                column.begin());
-          });
       }
   }
 

@@ -148,6 +148,13 @@ namespace seiche
                       projection_mass,
                       "OSGS: mass matrix of the projection [-]",
                       Patterns::Selection("lumped|consistent"));
+    add_tau_parameters(prm);
+    prm.leave_subsection();
+  }
+
+  void
+  StabilizationParameters::add_tau_parameters(ParameterHandler &prm)
+  {
     prm.add_parameter("Tau",
                       tau,
                       "Stabilization parameters: transient (inertia and "
@@ -189,7 +196,6 @@ namespace seiche
       "or it would resist div v as a viscosity that grows as "
       "1/dt; 0: none [s]",
       Patterns::Double(0.));
-    prm.leave_subsection();
   }
 
   void

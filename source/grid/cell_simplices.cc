@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/cell_simplices.h>
+#include <seiche/utilities/box_face.h>
 
 namespace seiche
 {
@@ -29,10 +30,10 @@ namespace seiche
     // the cell's centre, then (3D) the face's, then the edge
     simplex.values[0] =
       mean([](unsigned int) { return true; }, simplex.vertices[0]);
-    for (const unsigned int face : GeometryInfo<dim>::face_indices())
+    for (const BoxFace face : GeometryInfo<dim>::face_indices())
       {
         const auto on_face = [&](const unsigned int v) {
-          return ((v >> (face / 2)) & 1u) == face % 2;
+          return face.has_vertex(v);
         };
         if constexpr (dim == 3)
           simplex.values[1] = mean(on_face, simplex.vertices[1]);

@@ -49,16 +49,15 @@ namespace seiche
               occupancy.mesh_nodes.hanging.hangs(cell, a))
             wet[node] = ~0u; // masters lie elsewhere: all stays fixed
           unsigned int of_cell = 0;
-          for (const unsigned int face : GeometryInfo<dim>::face_indices())
-            if (line_index<dim>(occupancy.fe.degree, a, face / 2) ==
-                  (face % 2) * occupancy.fe.degree &&
-                locator.boundary_id(cell, face) !=
-                  numbers::internal_face_boundary_id)
+          for (const BoxFace face : GeometryInfo<dim>::face_indices())
+            if (is_on_face<dim>(occupancy.fe.degree, a, face) &&
+                locator.at_boundary(cell, face))
               {
-                of_cell |= 1u << (face / 2);
-                area[node][face / 2] += (face % 2 == 0 ? 1. : -1.) *
-                                        locator.geometry(cell).measure /
-                                        locator.geometry(cell).edges[face / 2];
+                const unsigned int d = face.direction();
+                of_cell |= 1u << d;
+                area[node][d] -= face.outward() *
+                                 locator.geometry(cell).measure /
+                                 locator.geometry(cell).edges[d];
               }
           wet[node] |= of_cell;
           if (has_several(of_cell))

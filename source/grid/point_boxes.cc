@@ -57,7 +57,7 @@ namespace seiche
                           Part (&parts)[2]) const
   {
     const auto is_wall = [&](const unsigned int side) {
-      return occupancy.locator.at_boundary(cell, 2 * direction + side);
+      return occupancy.locator.at_boundary(cell, BoxFace(direction, side));
     };
     // of a hat the mean over an interval is the value in its middle
     const auto part =

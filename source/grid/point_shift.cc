@@ -44,7 +44,7 @@ namespace seiche
         place[d]            = position[d][point];
         const bool   up     = delta[d] > 0.;
         const double length = std::abs(delta[d]);
-        if (length > 0. && is_wall[2 * d + up])
+        if (length > 0. && is_wall[BoxFace(d, up)])
           {
             double distance =
               up ? lower[d] + extent[d] - place[d] : place[d] - lower[d];

@@ -56,7 +56,8 @@ namespace seiche
         for (unsigned int d = 0; d < dim; ++d)
           for (const unsigned int side : {0, 1})
             {
-              const unsigned int other = locator.neighbor(cell, 2 * d + side);
+              const unsigned int other =
+                locator.neighbor(cell, BoxFace(d, side));
               if (other != locator.invalid)
                 jump[d][side] =
                   (side == 0 ? -1. : 1.) * (excess[other] - excess[cell]);

@@ -54,11 +54,11 @@ namespace seiche
           sum += square[d];
         }
       VertexValues<dim> result{};
-      for (unsigned int face = 0; face < 2 * dim; ++face)
+      for (const BoxFace face : GeometryInfo<dim>::face_indices())
         if (sum > 0. && locator.at_boundary(cell, face))
           for (unsigned int v = 0; v < result.size(); ++v)
-            if ((v >> (face / 2) & 1u) == face % 2)
-              result[v] += square[face / 2] / sum;
+            if (face.has_vertex(v))
+              result[v] += square[face.direction()] / sum;
       return result;
     }
   } // namespace

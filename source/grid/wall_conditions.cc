@@ -41,7 +41,7 @@ namespace seiche
     for (const auto &[wall, c, sides, cell, is_normal] :
          occupancy.constraints.walls_at(node))
       if (c == component && occupancy.locator.grid.wall(wall).is_side() &&
-          occupancy.locator.grid.wall(wall).normal() == component)
+          occupancy.locator.grid.wall(wall).side().direction() == component)
         return wall;
     return dealii::numbers::invalid_unsigned_int;
   }

@@ -36,7 +36,7 @@ namespace seiche
     for (unsigned int wall = 0; wall < walls.size(); ++wall)
       for (unsigned int d = 0; d < dim; ++d)
         if (walls[wall].friction > 0. &&
-            (!walls[wall].is_side() || walls[wall].normal() == d))
+            (!walls[wall].is_side() || walls[wall].side().direction() == d))
           areas.emplace(std::make_pair(wall, d), zero);
     for (const unsigned int cell : occupancy.occupied_cells())
       {
@@ -44,10 +44,12 @@ namespace seiche
           continue;
         add_integrals<dim>(
           occupancy, cell, line, numbers::invalid_unsigned_int, volume);
-        for (const unsigned int face : GeometryInfo<dim>::face_indices())
+        for (const BoxFace face : GeometryInfo<dim>::face_indices())
           {
-            const auto area =
-              areas.find({locator.boundary_id(cell, face), face / 2});
+            const Wall<dim> *const wall = locator.wall_at(cell, face);
+            if (wall == nullptr)
+              continue;
+            const auto area = areas.find({wall->number, face.direction()});
             if (area != areas.end())
               add_integrals<dim>(occupancy, cell, line, face, area->second);
           }

@@ -29,7 +29,7 @@ namespace seiche
 
     geometries.clear();
     owners.clear();
-    boundary_ids.clear();
+    walls.clear();
     lattice_lower.clear();
     lattice_upper.clear();
     iterators.clear();
@@ -170,12 +170,11 @@ namespace seiche
     set_geometry(number);
     owners.push_back(cell->subdomain_id());
     iterators.push_back(cell);
-    boundary_ids.emplace_back();
+    walls.emplace_back();
     for (const unsigned int face : cell->face_indices())
-      boundary_ids.back()[face] =
-        cell->at_boundary(face) && !at_seam(number, face) ?
-          cell->face(face)->boundary_id() :
-          dealii::numbers::internal_face_boundary_id;
+      walls.back()[face] = cell->at_boundary(face) && !at_seam(number, face) ?
+                             &grid.wall(cell->face(face)->boundary_id()) :
+                             nullptr;
   }
 
 
@@ -225,29 +224,24 @@ namespace seiche
 
 
   template <int dim>
-  dealii::types::boundary_id
+  const Wall<dim> *
   CellLocator<dim>::wall_beyond(const dealii::Point<dim> &x) const
   {
-    dealii::types::boundary_id id = dealii::numbers::internal_face_boundary_id;
-    double                     largest = 0.; // distance behind the wall [m]
+    const Wall<dim> *result  = nullptr;
+    double           largest = 0.; // distance behind the wall [m]
+    const auto       take    = [&](const double distance, const BoxFace side) {
+      if (distance > largest)
+        {
+          largest = distance;
+          result  = &grid.wall(side);
+        }
+    };
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const double below = lines[d].places.front() - x[d];
-        const double above = x[d] - lines[d].places.back();
-        if (below > largest)
-          {
-            largest = below;
-            id      = 2 * d;
-          }
-        if (above > largest)
-          {
-            largest = above;
-            id      = 2 * d + 1;
-          }
+        take(lines[d].places.front() - x[d], {d, /*upper=*/false});
+        take(x[d] - lines[d].places.back(), {d, /*upper=*/true});
       }
-    if (id != dealii::numbers::internal_face_boundary_id)
-      return id;
-    return grid.parameters.obstacle_at(x);
+    return result != nullptr ? result : grid.parameters.obstacle_at(x);
   }
 
 

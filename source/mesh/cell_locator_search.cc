@@ -117,9 +117,9 @@ namespace seiche
         unsigned int cell = hint;
         for (unsigned int d = 0; d < dim && cell != invalid; ++d)
           if (x[d] < geometries[cell].lower[d])
-            cell = face_neighbors[cell][2 * d];
+            cell = face_neighbors[cell][BoxFace(d, /*upper=*/false)];
           else if (x[d] >= geometries[cell].upper[d])
-            cell = face_neighbors[cell][2 * d + 1];
+            cell = face_neighbors[cell][BoxFace(d, /*upper=*/true)];
         if (cell != invalid && geometries[cell].holds(x))
           return cell;
       }

@@ -21,8 +21,7 @@ namespace seiche
       for (unsigned int face = 0; face < 2 * dim; ++face)
         {
           face_neighbors[cell][face] = invalid;
-          if (boundary_ids[cell][face] !=
-              dealii::numbers::internal_face_boundary_id)
+          if (at_boundary(cell, face))
             continue;
           if (at_seam(cell, face))
             {

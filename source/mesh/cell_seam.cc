@@ -97,10 +97,11 @@ namespace seiche
   template <int dim>
   unsigned int
   CellLocator<dim>::across_seam(const unsigned int cell,
-                                const unsigned int face) const
+                                const BoxFace      face) const
   {
-    Lattice beyond   = lattice_lower[cell];
-    beyond[face / 2] = face % 2 == 0 ? lines[face / 2].places.size() - 2 : 0;
+    const unsigned int d      = face.direction();
+    Lattice            beyond = lattice_lower[cell];
+    beyond[d]                = face.is_upper() ? 0 : lines[d].places.size() - 2;
     const unsigned int other = search(beyond);
     return other != invalid && level(other) <= level(cell) ? other : invalid;
   }
@@ -160,9 +161,9 @@ namespace seiche
   CellLocator<3>::lattice_place(const unsigned int,
                                 const std::array<unsigned int, 3> &) const;
   template unsigned int
-  CellLocator<2>::across_seam(const unsigned int, const unsigned int) const;
+  CellLocator<2>::across_seam(const unsigned int, const BoxFace) const;
   template unsigned int
-  CellLocator<3>::across_seam(const unsigned int, const unsigned int) const;
+  CellLocator<3>::across_seam(const unsigned int, const BoxFace) const;
   template std::vector<unsigned int>
   CellLocator<2>::joined_vertices() const;
   template std::vector<unsigned int>

@@ -216,10 +216,10 @@ namespace seiche
 
   template <int dim>
   bool
-  BodyPieces<dim>::cross(Place &place, const unsigned int face)
+  BodyPieces<dim>::cross(Place &place, const BoxFace face)
   {
-    const unsigned int d       = face / 2;
-    const int          step    = face % 2 == 0 ? -1 : 1;
+    const unsigned int d       = face.direction();
+    const int          step    = face.outward();
     auto              &cell    = place.lattice_cell.cell;
     auto              &offset  = place.lattice_cell.offset;
     const Lattice     &lattice = content(place.lattice_cell).lattice;
@@ -271,11 +271,11 @@ namespace seiche
       part(place).centre - lattice.box(place.index).center();
     std::array<unsigned int, dim> faces;
     for (unsigned int d = 0; d < dim; ++d)
-      faces[d] = 2 * d + (shift[d] > 0. ? 1 : 0);
+      faces[d] = BoxFace(d, /*upper=*/shift[d] > 0.);
     // rounded, so that round-off cannot choose
-    const auto distance = [&](const unsigned int face) {
-      return std::lround(1e9 *
-                         std::abs(shift[face / 2] / lattice.spacing[face / 2]));
+    const auto distance = [&](const BoxFace face) {
+      const unsigned int d = face.direction();
+      return std::lround(1e9 * std::abs(shift[d] / lattice.spacing[d]));
     };
     std::stable_sort(faces.begin(), faces.end(), [&](auto a, auto b) {
       return distance(a) > distance(b);
@@ -285,9 +285,7 @@ namespace seiche
 
   template <int dim>
   bool
-  BodyPieces<dim>::joins(const Place       &from,
-                         const Place       &to,
-                         const unsigned int face)
+  BodyPieces<dim>::joins(const Place &from, const Place &to, const BoxFace face)
   {
     const auto is_light = [](const double share) {
       return share > 0. && share < light;
@@ -313,9 +311,9 @@ namespace seiche
     if (chosen != numbers::invalid_unsigned_int || !is_light(share_to))
       return chosen == face;
     // two light ones that face each other
-    return faces[0] == face && ways_out(to)[0] == (face ^ 1u) &&
+    return faces[0] == face && ways_out(to)[0] == face.opposite() &&
            first_heavy(to) == numbers::invalid_unsigned_int &&
-           (share < share_to || (share == share_to && face % 2 == 0));
+           (share < share_to || (share == share_to && !face.is_upper()));
   }
 
   template <int dim>
@@ -331,7 +329,7 @@ namespace seiche
       return result;
 
     Tensor<1, dim> moment = result.volume * (own.centre - Point<dim>());
-    for (const unsigned int face : GeometryInfo<dim>::face_indices())
+    for (const BoxFace face : GeometryInfo<dim>::face_indices())
       {
         Place other = place;
         if (!cross(other, face))

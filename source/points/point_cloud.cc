@@ -234,20 +234,17 @@ namespace seiche
   PointCloud<dim>::put_back(const std::size_t point)
   {
     const dealii::Point<dim> here = position(point);
-    const auto               wall = locator.wall_beyond(here);
-    if (point_cells[point] == invalid ||
-        wall == dealii::numbers::internal_face_boundary_id ||
-        locator.grid.parameters.walls[wall].is_side() ||
-        locator.grid.wall(wall).condition == WallCondition::no_slip)
+    const Wall<dim>         *wall = locator.wall_beyond(here);
+    if (point_cells[point] == invalid || wall == nullptr || wall->is_side() ||
+        wall->condition == WallCondition::no_slip)
       return invalid;
-    const auto                  &box = locator.grid.parameters.walls[wall];
     const dealii::Tensor<1, dim> extent =
       locator.geometry(point_cells[point]).edges;
     double       nearest = std::numeric_limits<double>::max();
     unsigned int result = invalid, direction = 0;
     double       place = 0.;
     for (unsigned int d = 0; d < dim; ++d)
-      for (const double face : {box.lower_corner[d], box.upper_corner[d]})
+      for (const double face : {wall->lower_corner[d], wall->upper_corner[d]})
         {
           const double depth = std::abs(here[d] - face);
           if (depth > 0.5 * extent[d] || depth >= nearest)
@@ -273,16 +270,14 @@ namespace seiche
   void
   PointCloud<dim>::judge_outside(const std::size_t point, Census &census) const
   {
-    const auto wall   = locator.wall_beyond(position(point));
-    const bool inside = wall == dealii::numbers::internal_face_boundary_id;
-    const std::string reason =
-      inside ? "it is not in a cell next to its last one" :
-               "it is beyond the wall \"" + locator.grid.wall(wall).name + "\"";
-    bool finite = true;
+    const Wall<dim>  *wall   = locator.wall_beyond(position(point));
+    const std::string reason = wall == nullptr ?
+                                 "it is not in a cell next to its last one" :
+                                 "it is beyond the wall \"" + wall->name + "\"";
+    bool              finite = true;
     for (unsigned int d = 0; d < dim; ++d)
       finite = finite && std::isfinite(position(point)[d]);
-    if (finite && !inside &&
-        locator.grid.wall(wall).condition == WallCondition::open)
+    if (finite && wall != nullptr && wall->condition == WallCondition::open)
       {
         ++census.n_outflow;
         census.outflow_mass += data(PointColumn::mass)[point];

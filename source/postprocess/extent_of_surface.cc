@@ -72,16 +72,16 @@ namespace seiche
     GridEvaluation<dim> here(view);
     for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
       if (view.occupancy.is_active(cell))
-        for (const unsigned int face : GeometryInfo<dim>::face_indices())
+        for (const BoxFace face : GeometryInfo<dim>::face_indices())
           {
-            const auto wall = locator.boundary_id(cell, face);
-            if (wall == numbers::internal_face_boundary_id)
+            const Wall<dim> *const wall = locator.wall_at(cell, face);
+            if (wall == nullptr)
               continue;
-            if (face == 2 * dim - 1)
+            if (face == top)
               under_ceiling.push_back(cell);
             const auto level = view.fill.surface().level_in(cell);
             for (unsigned int v = 0; v < level.size(); ++v)
-              if (((v >> (face / 2)) & 1u) == face % 2 && level[v] < 0.)
+              if (face.has_vertex(v) && level[v] < 0.)
                 wet_places.push_back(
                   {wall,
                    moved_place(view,
@@ -90,11 +90,11 @@ namespace seiche
                                here)});
           }
     for (const MovedPiece<dim> &piece : pieces)
-      for (const unsigned int face : GeometryInfo<dim>::face_indices())
-        if (const auto wall = locator.boundary_id(piece.cell, face);
-            wall != numbers::internal_face_boundary_id)
+      for (const BoxFace face : GeometryInfo<dim>::face_indices())
+        if (const Wall<dim> *const wall = locator.wall_at(piece.cell, face))
           for (unsigned int v = 0; v < dim; ++v)
-            if (std::abs(piece.unit[v][face / 2] - face % 2) < slack)
+            if (std::abs(piece.unit[v][face.direction()] - face.is_upper()) <
+                slack)
               wet_places.push_back({wall, piece.place[v]});
   }
 
@@ -150,14 +150,20 @@ namespace seiche
   }
 
   template <int dim>
+  bool
+  ExtentOfSurface<dim>::is_under_lid(const unsigned int cell) const
+  {
+    const Wall<dim> *const wall = view.occupancy.locator.wall_at(cell, top);
+    return wall != nullptr && wall->number == top;
+  }
+
+  template <int dim>
   double
   ExtentOfSurface<dim>::ceiling_over(const unsigned int cell) const
   {
-    const auto        &locator = view.occupancy.locator;
-    const unsigned int top     = 2 * dim - 1;
-    return locator.boundary_id(cell, top) == top ?
-             view.box.get_boundary_points().second[dim - 1] :
-             locator.geometry(cell).upper[dim - 1];
+    const auto &locator = view.occupancy.locator;
+    return is_under_lid(cell) ? view.box.get_boundary_points().second[dim - 1] :
+                                locator.geometry(cell).upper[dim - 1];
   }
 
   template <int dim>
@@ -196,11 +202,11 @@ namespace seiche
 
   template <int dim>
   double
-  ExtentOfSurface<dim>::wet_height(const types::boundary_id wall) const
+  ExtentOfSurface<dim>::wet_height(const unsigned int wall) const
   {
     double result = none;
     for (const WetPlace &wet : wet_places)
-      if (wet.wall == wall)
+      if (wet.wall->number == wall)
         result = std::max(result, wet.place[dim - 1]);
     return result;
   }
@@ -222,7 +228,7 @@ namespace seiche
     // where the fluid stands at the lid, that is its surface
     const auto &locator = view.occupancy.locator;
     for (const unsigned int cell : under_ceiling)
-      if (locator.boundary_id(cell, 2 * dim - 1) == 2 * dim - 1)
+      if (is_under_lid(cell))
         {
           const double area =
             share_of_upper_face<dim>(view.fill.surface().level_in(cell)) *

@@ -32,11 +32,10 @@ namespace seiche
         }
     }
 
-    /// One patch for each own occupied cell.
+    /// The fields' names, without patches.
     template <int dim>
     FieldPatches<dim, dim>
-    make_patches(const StepView<dim>                   &view,
-                 const typename GridState<dim>::Vector &pressure)
+    make_fields(const StepView<dim> &view)
     {
       FieldPatches<dim, dim> grid(view.time, view.step);
       grid.add_vector("velocity [m/s]");
@@ -46,10 +45,19 @@ namespace seiche
       grid.add_scalar("cell fill [-]");
       grid.add_scalar("inside share [-]");
       grid.add_scalar("cut [-]");
-      const Fill<dim> &fill = view.fill;
-      if (fill.has_surface())
+      if (view.fill.has_surface())
         grid.add_scalar("level set [cells]");
+      return grid;
+    }
 
+    /// One patch for each own occupied cell.
+    template <int dim>
+    FieldPatches<dim, dim>
+    make_patches(const StepView<dim>                   &view,
+                 const typename GridState<dim>::Vector &pressure)
+    {
+      FieldPatches<dim, dim>  grid      = make_fields(view);
+      const Fill<dim>        &fill      = view.fill;
       const Occupancy<dim>   &occupancy = view.occupancy;
       const CellLocator<dim> &locator   = occupancy.locator;
       const auto             &cells     = occupancy.occupied_cells();

@@ -41,7 +41,7 @@ namespace seiche
                     (hint.empty() ? "." : hint) + " Walls are " +
                     quoted_list(known) + ".");
     input.require(!grid.walls[id].is_side() ||
-                    grid.walls[id].normal() != dim - 1,
+                    grid.walls[id].side().direction() != dim - 1,
                   path,
                   "water runs up walls that stand upright: name another side, "
                   "or an obstacle.");
@@ -75,7 +75,7 @@ namespace seiche
     const FluidExtent<dim> &ends = extent->get(view);
     const double        bottom = view.box.get_boundary_points().first[dim - 1];
     std::vector<double> heights; // of the fluid, of spray
-    for (const types::boundary_id wall : walls)
+    for (const unsigned int wall : walls)
       {
         heights.push_back(std::max(bottom, ends.fluid->wet_height(wall)));
         heights.push_back(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/field_patches.h>
 #include <seiche/postprocess/walls_output.h>
+#include <seiche/utilities/box_face.h>
 #include <seiche/utilities/result_names.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -21,7 +22,7 @@ namespace seiche
     void
     add_face(FieldPatches<dim - 1, dim> &walls,
              const BoundingBox<dim>     &box,
-             const unsigned int          face,
+             const BoxFace               face,
              const unsigned int          part,
              const bool                  is_wall)
     {
@@ -31,7 +32,7 @@ namespace seiche
       patch.data.reinit(walls.n_rows(), 1u << (dim - 1));
       unsigned int next = 0;
       for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-        if (((v >> (face / 2)) & 1u) == face % 2)
+        if (face.has_vertex(v))
           {
             patch.vertices[next] = box.vertex(v);
             patch.data(0, next)  = part;

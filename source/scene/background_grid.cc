@@ -233,27 +233,25 @@ namespace seiche
   BackgroundGrid<dim>::set_boundary_ids()
   {
     for (const auto &cell : triangulation.cell_iterators_on_level(0))
-      for (const unsigned int face : cell->face_indices())
+      for (const BoxFace face : cell->face_indices())
         {
           if (!cell->at_boundary(face))
             continue;
-          const unsigned int       direction = face / 2;
+          const unsigned int       direction = face.direction();
           const dealii::Point<dim> centre    = cell->face(face)->center();
           const double             slack =
             wall_slack(parameters.domain().side_length(direction));
-          const double               side = face % 2 == 0 ?
-                                              parameters.lower_corner[direction] :
-                                              parameters.upper_corner[direction];
-          dealii::types::boundary_id id   = face;
+          const double side = face.is_upper() ?
+                                parameters.upper_corner[direction] :
+                                parameters.lower_corner[direction];
+          unsigned int id   = face;
           if (std::abs(centre[direction] - side) > slack)
             {
               // across the face there must be an obstacle, whose own may lie
               // farther by the slack
               dealii::Point<dim> beyond = centre;
-              beyond[direction] += (face % 2 == 0 ? -2. : 2.) * slack;
-              id = parameters.obstacle_at(beyond);
-              Assert(id != dealii::numbers::internal_face_boundary_id,
-                     dealii::ExcInternalError());
+              beyond[direction] += 2. * face.outward() * slack;
+              id = parameters.obstacle_at(beyond)->number;
             }
           cell->face(face)->set_all_boundary_ids(id);
         }

@@ -44,13 +44,14 @@ namespace seiche
     for (unsigned int side = 0; side < 2 * dim; ++side)
       {
         walls.emplace_back();
-        walls.back().name = side_name<dim>(side);
-        walls.back().side = side;
+        walls.back().name   = side_name<dim>(side);
+        walls.back().number = side;
       }
     for (const std::string &name : input.instances("Obstacle"))
       {
         walls.emplace_back();
-        walls.back().name = name;
+        walls.back().name   = name;
+        walls.back().number = walls.size() - 1;
       }
     walls_text.resize(walls.size());
   }
@@ -98,7 +99,8 @@ namespace seiche
       }
     prm.leave_subsection();
 
-    add_wall_parameters(prm);
+    add_side_parameters(prm);
+    add_obstacle_parameters(prm);
     refinement.add_parameters(prm);
   }
 
@@ -269,13 +271,13 @@ namespace seiche
   }
 
   template <int dim>
-  dealii::types::boundary_id
+  const Wall<dim> *
   GridParameters<dim>::obstacle_at(const dealii::Point<dim> &place) const
   {
-    for (unsigned int id = 2 * dim; id < walls.size(); ++id)
-      if (walls[id].box().point_inside(place, /*tolerance=*/0.))
-        return id;
-    return dealii::numbers::internal_face_boundary_id;
+    for (const Wall<dim> &obstacle : obstacles())
+      if (obstacle.box().point_inside(place, /*tolerance=*/0.))
+        return &obstacle;
+    return nullptr;
   }
 
   template <int dim>

@@ -54,9 +54,10 @@ namespace seiche
           return;
         result.occupied += cells;
         result.full += n * of_level(grid.refinement.finest_level());
-        for (unsigned int face = 0; face < 2 * dim; ++face)
+        for (const BoxFace face : dealii::GeometryInfo<dim>::face_indices())
           if (map.neighbor(piece.index, face) == SceneMap<dim>::air)
-            add_surface(n * edges[face / 2] / piece.extent[face / 2]);
+            add_surface(n * edges[face.direction()] /
+                        piece.extent[face.direction()]);
       }
 
       MeshEstimate result;

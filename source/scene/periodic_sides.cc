@@ -70,7 +70,7 @@ namespace seiche
                                   "one to the other or touches neither. Move "
                                   "the corners of the grid and all that stands "
                                   "in it along {}.",
-                                  walls[2 * direction + at_upper].name,
+                                  walls[BoxFace(direction, at_upper)].name,
                                   "xyz"[direction]));
       }
   }

@@ -167,13 +167,13 @@ namespace seiche
 
   template <int dim>
   int
-  SceneMap<dim>::neighbor(const Index &index, const unsigned int face) const
+  SceneMap<dim>::neighbor(const Index &index, const BoxFace face) const
   {
-    const unsigned int d     = face / 2;
+    const unsigned int d     = face.direction();
     Index              other = index;
-    if (face % 2 == 0 ? index[d] == 0 : index[d] + 2 == cuts[d].size())
+    if (face.is_upper() ? index[d] + 2 == cuts[d].size() : index[d] == 0)
       return obstacle;
-    other[d] += (face % 2 == 0 ? -1 : 1);
+    other[d] += face.outward();
     return contents[position(other)];
   }
 

@@ -169,10 +169,12 @@ namespace seiche
   {
     // sides and fixed lines; what lies between two of them is stretched
     const auto  &begin = sides[direction];
-    const double low   = begin[0] + displacement(2 * direction, time);
-    const double high  = begin[1] + displacement(2 * direction + 1, time);
-    const auto  &stay  = fixed[direction];
-    const auto   between =
+    const double low =
+      begin[0] + displacement(BoxFace(direction, /*upper=*/false), time);
+    const double high =
+      begin[1] + displacement(BoxFace(direction, /*upper=*/true), time);
+    const auto &stay = fixed[direction];
+    const auto  between =
       [place](const double a, const double b, const double x, const double y) {
         return place == b ? y : x + (place - a) * ((y - x) / (b - a));
       };
@@ -192,8 +194,9 @@ namespace seiche
     dealii::Point<dim> lower, upper;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        lower[d] = sides[d][0] + displacement(2 * d, time);
-        upper[d] = sides[d][1] + displacement(2 * d + 1, time);
+        lower[d] =
+          sides[d][0] + displacement(BoxFace(d, /*upper=*/false), time);
+        upper[d] = sides[d][1] + displacement(BoxFace(d, /*upper=*/true), time);
       }
     return dealii::BoundingBox<dim>({lower, upper});
   }

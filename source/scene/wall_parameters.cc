@@ -102,7 +102,7 @@ namespace seiche
 
   template <int dim>
   void
-  GridParameters<dim>::add_wall_parameters(dealii::ParameterHandler &prm)
+  GridParameters<dim>::add_side_parameters(dealii::ParameterHandler &prm)
   {
     const dealii::Patterns::Anything anything;
     prm.enter_subsection("Walls");
@@ -140,7 +140,15 @@ namespace seiche
                         friction_text,
                         dealii::Patterns::Double(0.));
     prm.leave_subsection();
+  }
 
+
+
+  template <int dim>
+  void
+  GridParameters<dim>::add_obstacle_parameters(dealii::ParameterHandler &prm)
+  {
+    const dealii::Patterns::Anything anything;
     for (unsigned int id = 2 * dim; id < walls.size(); ++id)
       {
         Wall<dim> &obstacle = walls[id];
@@ -207,11 +215,11 @@ namespace seiche
   {
     wall.lower_corner    = lower_corner;
     wall.upper_corner    = upper_corner;
-    const unsigned int d = wall.normal();
-    if (wall.side % 2 == 0)
-      wall.upper_corner[d] = lower_corner[d];
-    else
+    const unsigned int d = wall.side().direction();
+    if (wall.side().is_upper())
       wall.lower_corner[d] = upper_corner[d];
+    else
+      wall.upper_corner[d] = lower_corner[d];
   }
 
 

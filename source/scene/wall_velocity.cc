@@ -30,7 +30,7 @@ namespace seiche
         if (!wall.is_side())
           continue;
         for (const double t : sample_times(end_time))
-          input.require(value(id, centre, t)[wall.normal()] == 0.,
+          input.require(value(id, centre, t)[wall.side().direction()] == 0.,
                         path,
                         fmt::format("the wall moves along itself only: its "
                                     "normal component must be 0, also at "

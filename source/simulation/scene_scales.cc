@@ -52,12 +52,13 @@ namespace seiche
     bool
     has_walls(const GridParameters<dim> &grid, const unsigned int direction)
     {
-      const auto is_wall = [&grid](const unsigned int side) {
-        const WallCondition condition = grid.walls[side].condition;
+      const auto is_wall = [&](const bool upper) {
+        const WallCondition condition =
+          grid.walls[BoxFace(direction, upper)].condition;
         return condition != WallCondition::open &&
                condition != WallCondition::periodic;
       };
-      return is_wall(2 * direction) && is_wall(2 * direction + 1);
+      return is_wall(false) && is_wall(true);
     }
   } // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/assembler.h>
+#include <seiche/solve/edge_pressure.h>
 #include <seiche/utilities/injected_fault.h>
 
 #include <limits>
@@ -153,22 +154,6 @@ namespace seiche
   }
 
   template <int dim>
-  template <int degree>
-  EdgePressure<dim, degree>
-  Assembler<dim>::edge_pressure(const unsigned int cell) const
-  {
-    const auto &locator = occupancy.locator;
-    return {locator.geometry(cell),
-            occupancy.template unknowns<degree>(cell),
-            occupancy.constraints,
-            [&](const unsigned int face) {
-              const auto wall = locator.boundary_id(cell, face);
-              return wall != numbers::internal_face_boundary_id &&
-                     locator.grid.wall(wall).condition != WallCondition::open;
-            }};
-  }
-
-  template <int dim>
   void
   Assembler<dim>::add_edge_pressure(GridState<dim> &state,
                                     Vector         &residual) const
@@ -180,8 +165,8 @@ namespace seiche
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         const auto nodes = occupancy.template unknowns<degree>(cell);
         if (has_edge_pressure(nodes))
-          this->template edge_pressure<degree>(cell).add_force(
-            nodes, state.pressure().begin(), force.begin());
+          EdgePressure<dim, degree>(occupancy, cell)
+            .add_force(nodes, state.pressure().begin(), force.begin());
       });
     force.compress(VectorOperation::add);
     residual.add(1., force);
@@ -273,7 +258,7 @@ namespace seiche
           if (oblique)
             {
               if (has_edge_pressure(unknowns))
-                this->template edge_pressure<degree>(cell).add_tangent(data);
+                EdgePressure<dim, degree>(occupancy, cell).add_tangent(data);
               data.project(unknowns, occupancy.constraints);
             }
           last = reusable ? data.geometry : CellGeometry<dim>();

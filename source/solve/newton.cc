@@ -143,26 +143,25 @@ namespace seiche
 
   template <int dim>
   std::string
-  Newton<dim>::reason_to_stop(const Norms       &now,
-                              const Norms       &first,
-                              const unsigned int iterations,
-                              const Progress    &progress) const
+  Newton<dim>::reason_to_stop(const Progress    &progress,
+                              const unsigned int iterations) const
   {
     const bool may_go_on = iterations < parameters.maximum_iterations;
     const bool is_slow   = progress.slow_in_row >= progress.most_slow;
-    if (may_go_on && !is_slow && std::isfinite(now.momentum + now.volume))
+    if (may_go_on && !is_slow && progress.is_finite())
       return "";
     const std::string text =
       fmt::format("Newton {} after {} iterations, residual",
                   is_slow && may_go_on ? "hardly converged" : "stopped",
                   iterations);
-    const double momentum = ratio(now.momentum, first.momentum);
+    const double momentum =
+      ratio(progress.now.momentum, progress.first.momentum);
     if (residual.n_blocks() == 1)
       return fmt::format("{} {:.1e} of its first value", text, momentum);
     return fmt::format("{}s {:.1e} and {:.1e} of their first values",
                        text,
                        momentum,
-                       ratio(now.volume, first.volume));
+                       ratio(progress.now.volume, progress.first.volume));
   }
 
   template <int dim>
@@ -178,14 +177,15 @@ namespace seiche
   void
   Newton<dim>::plan_next(Progress    &progress,
                          const double reduction,
-                         const double needed,
-                         const double before,
-                         const bool   is_last)
+                         const double before)
   {
+    const double needed =
+      std::min(ratio(progress.target.momentum, progress.now.momentum),
+               ratio(progress.target.volume, progress.now.volume));
     // what an old tangent leaves says little about a new one
     const bool is_slow   = reduction > slow_reduction && !progress.reused;
     progress.slow_in_row = is_slow ? progress.slow_in_row + 1 : 0;
-    progress.reuse       = progress.may_reuse && !is_last &&
+    progress.reuse       = progress.may_reuse && !progress.is_done() &&
                      model_error() < tangent_serves_below * needed * before;
     // never ask the next solve for much more than is left to gain
     const double enough = std::min(forcing_share * needed, loosest_forcing);
@@ -195,25 +195,24 @@ namespace seiche
   }
 
   template <int dim>
-  NewtonResult
-  Newton<dim>::solve(GridState<dim> &state, const IfUnconverged then)
+  typename Newton<dim>::Progress
+  Newton<dim>::begin(GridState<dim> &state, const IfUnconverged then)
   {
-    NewtonResult result;
     residual.reinit(state.solution);
     update.reinit(state.solution);
     residual_change.reinit(state.solution);
     product.reinit(state.solution);
     projection.begin(state);
     system.assembler.residual(state, residual);
-    const Norms first = norms(residual), scale = scales(state);
-    const Norms target = {
-      std::max(parameters.tolerance * first.momentum,
-               parameters.absolute_tolerance * scale.momentum),
-      std::max(parameters.tolerance * first.volume,
-               parameters.absolute_tolerance * scale.volume)};
 
-    Norms    now = first;
     Progress progress;
+    progress.first    = norms(residual);
+    progress.now      = progress.first;
+    const Norms scale = scales(state);
+    progress.target = {std::max(parameters.tolerance * progress.first.momentum,
+                                parameters.absolute_tolerance * scale.momentum),
+                       std::max(parameters.tolerance * progress.first.volume,
+                                parameters.absolute_tolerance * scale.volume)};
     progress.begin(first_forcing);
     progress.most_slow = then == IfUnconverged::give_up_early ?
                            most_slow_updates :
@@ -221,70 +220,79 @@ namespace seiche
     progress.may_reuse = tries_with_new_tangents == 0;
     if (!progress.may_reuse)
       --tries_with_new_tangents;
-    // not (a > b): a residual that is not a number has not converged
-    const auto is_small = [&]() {
-      return now.momentum <= target.momentum && now.volume <= target.volume;
-    };
+    return progress;
+  }
+
+  template <int dim>
+  void
+  Newton<dim>::iterate(GridState<dim> &state,
+                       const bool      only_nearer,
+                       Progress       &progress,
+                       NewtonResult   &result)
+  {
+    if (progress.reused)
+      {
+        progress.reuse = progress.may_reuse = false;
+        tries_with_new_tangents             = tries_after_miss;
+      }
+    if (!progress.reuse)
+      system.linearize(state);
+    progress.reused     = progress.reuse;
+    const double before = system.solver.norm(residual);
+    residual *= -1.;
+    const LinearResult linear =
+      system.solver.solve(update, residual, progress.forcing);
+    result.krylov_iterations += linear.iterations;
+    ++result.iterations;
+    if (!linear.is_usable(usable_reduction))
+      {
+        result.failure = linear.problem();
+        return;
+      }
+    residual_change    = residual; // of the old one, negative
+    const double after = move(state, before, only_nearer);
+    if (only_nearer && !(after < before))
+      {
+        result.failure =
+          fmt::format("Newton's update {} does not reduce the residual",
+                      result.iterations);
+        result.is_usable = std::isfinite(after);
+        return;
+      }
+    residual_change += residual;
+    const bool is_projected = projection.update(state, result.iterations);
+    if (is_projected)
+      system.assembler.residual(state, residual);
+    progress.now = norms(residual);
+    plan_next(progress, after / before, before);
+    if (is_projected) // what is left is not the tangent's fault
+      progress.reused = false;
+  }
+
+  template <int dim>
+  NewtonResult
+  Newton<dim>::solve(GridState<dim> &state, const IfUnconverged then)
+  {
+    NewtonResult result;
+    Progress     progress = begin(state, then);
     while (true)
       {
-        const bool is_finite = std::isfinite(now.momentum + now.volume);
+        const bool is_finite = progress.is_finite();
         result.is_usable     = is_finite && result.iterations > 0;
-        if (is_finite && (result.iterations > 0 || is_small()) &&
+        if (is_finite && (result.iterations > 0 || progress.is_done()) &&
             contact.correct(state))
           {
             system.assembler.residual(state, residual);
-            now = norms(residual);
+            progress.now = norms(residual);
             progress.begin(first_forcing); // another problem
           }
-        if (is_small())
+        if (progress.is_done())
           break;
-        if (progress.reused)
-          {
-            progress.reuse = progress.may_reuse = false;
-            tries_with_new_tangents             = tries_after_miss;
-          }
-        result.failure =
-          reason_to_stop(now, first, result.iterations, progress);
+        result.failure = reason_to_stop(progress, result.iterations);
+        if (result.failure.empty())
+          iterate(state, then == IfUnconverged::take_nearest, progress, result);
         if (!result.failure.empty())
           return result;
-        if (!progress.reuse)
-          system.linearize(state);
-        progress.reused     = progress.reuse;
-        const double before = system.solver.norm(residual);
-        residual *= -1.;
-        const LinearResult linear =
-          system.solver.solve(update, residual, progress.forcing);
-        result.krylov_iterations += linear.iterations;
-        ++result.iterations;
-        if (!linear.is_usable(usable_reduction))
-          {
-            result.failure = linear.problem();
-            return result;
-          }
-        residual_change          = residual; // of the old one, negative
-        const bool   only_nearer = then == IfUnconverged::take_nearest;
-        const double after       = move(state, before, only_nearer);
-        if (only_nearer && !(after < before))
-          {
-            result.failure =
-              fmt::format("Newton's update {} does not reduce the residual",
-                          result.iterations);
-            result.is_usable = std::isfinite(after);
-            return result;
-          }
-        residual_change += residual;
-        const bool is_projected = projection.update(state, result.iterations);
-        if (is_projected)
-          system.assembler.residual(state, residual);
-        now = norms(residual);
-        plan_next(progress,
-                  after / before,
-                  std::min(ratio(target.momentum, now.momentum),
-                           ratio(target.volume, now.volume)),
-                  before,
-                  is_small());
-        if (is_projected) // what is left is not the tangent's fault
-          progress.reused = false;
       }
     result.converged = true;
     return result;

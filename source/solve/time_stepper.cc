@@ -54,6 +54,33 @@ namespace seiche
                       "End of the simulated time [s]",
                       Patterns::Double(0.),
                       /*has_to_be_set=*/true);
+    add_step_size_parameters(prm);
+    prm.add_parameter(
+      "Failing steps",
+      failing_steps,
+      "What becomes of a step whose Newton iteration does not "
+      "converge, or that crushes a point or moves it farther "
+      "than Maximum displacement. repeated: with half its "
+      "size. accepted: as in the code of the founding paper it "
+      "is taken, with the iterate of the least residual; a "
+      "point goes only the part of its way on which it keeps "
+      "a fifth of its volume, moves no farther than Maximum "
+      "displacement and passes no wall, and its volume ratio is "
+      "kept within 0.25 of one then; summary.json counts such "
+      "steps and points. A "
+      "residual that is not finite repeats the step even so",
+      Patterns::Selection("repeated|accepted"));
+    prm.add_parameter("Velocity projection",
+                      projection,
+                      "When the start velocity is made to satisfy the "
+                      "discrete constraint (mixed form); one linear solve",
+                      Patterns::Selection("each step|at the start"));
+    prm.leave_subsection();
+  }
+
+  void
+  TimeStepParameters::add_step_size_parameters(ParameterHandler &prm)
+  {
     prm.add_parameter("Step",
                       step,
                       "Step size, the largest one if it is controlled; with "
@@ -88,27 +115,6 @@ namespace seiche
                       "A step that moves a point farther is repeated with "
                       "half its size [cells]",
                       Patterns::Double(1e-3, 1.));
-    prm.add_parameter(
-      "Failing steps",
-      failing_steps,
-      "What becomes of a step whose Newton iteration does not "
-      "converge, or that crushes a point or moves it farther "
-      "than Maximum displacement. repeated: with half its "
-      "size. accepted: as in the code of the founding paper it "
-      "is taken, with the iterate of the least residual; a "
-      "point goes only the part of its way on which it keeps "
-      "a fifth of its volume, moves no farther than Maximum "
-      "displacement and passes no wall, and its volume ratio is "
-      "kept within 0.25 of one then; summary.json counts such "
-      "steps and points. A "
-      "residual that is not finite repeats the step even so",
-      Patterns::Selection("repeated|accepted"));
-    prm.add_parameter("Velocity projection",
-                      projection,
-                      "When the start velocity is made to satisfy the "
-                      "discrete constraint (mixed form); one linear solve",
-                      Patterns::Selection("each step|at the start"));
-    prm.leave_subsection();
   }
 
   void

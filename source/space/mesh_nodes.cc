@@ -101,7 +101,7 @@ namespace seiche
               locator.geometry(cell).to_real(unit_place<dim>(fe.degree, a));
             for (unsigned int d = 0; d < dim; ++d)
               if (line_index<dim>(fe.degree, a, d) == fe.degree &&
-                  locator.at_seam(cell, 2 * d + 1))
+                  locator.at_seam(cell, {d, /*upper=*/true}))
                 x[d] = locator.domain().lower_bound(d);
             positions[cell_nodes[cell * n_nodes + a]] = x;
           }
@@ -116,27 +116,26 @@ namespace seiche
     walls_of_node.assign(size(), {});
     components_of_walls.assign(size(), 0);
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      for (const unsigned int face : GeometryInfo<dim>::face_indices())
+      for (const BoxFace face : GeometryInfo<dim>::face_indices())
         {
-          const types::boundary_id wall = locator.boundary_id(cell, face);
-          if (wall == numbers::internal_face_boundary_id ||
-              locator.grid.wall(wall).condition == WallCondition::open)
+          const Wall<dim> *const wall = locator.closed_wall_at(cell, face);
+          if (wall == nullptr)
             continue;
-          const bool all =
-            locator.grid.wall(wall).condition == WallCondition::no_slip;
+          const bool all = wall->condition == WallCondition::no_slip;
           for (unsigned int a = 0; a < n_nodes; ++a)
-            if (line_index<dim>(fe.degree, a, face / 2) ==
-                  (face % 2) * fe.degree &&
-                !hanging.hangs(cell, a))
+            if (is_on_face<dim>(fe.degree, a, face) && !hanging.hangs(cell, a))
               for (unsigned int c = 0; c < dim; ++c)
-                if (all || c == face / 2)
+                if (all || c == face.direction())
                   {
                     const unsigned int node = cell_nodes[cell * n_nodes + a];
                     components_of_walls[node] |= 1u << c;
-                    add_wall<dim>(
-                      walls_of_node[node],
-                      {wall, c, 1u << (face % 2), cell, c == face / 2},
-                      locator);
+                    add_wall<dim>(walls_of_node[node],
+                                  {wall->number,
+                                   c,
+                                   face.is_upper() ? 2u : 1u,
+                                   cell,
+                                   c == face.direction()},
+                                  locator);
                   }
         }
     // an owner sees all cells around its nodes, a ghost's copy may not

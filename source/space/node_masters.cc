@@ -41,10 +41,11 @@ namespace seiche
 
     bool
     is_on(const unsigned int node,
-          const unsigned int face,
+          const BoxFace      face,
           const unsigned int degree)
     {
-      return place(node, face / 2, degree) == (face % 2) * degree;
+      return place(node, face.direction(), degree) ==
+             (face.is_upper() ? degree : 0);
     }
   } // namespace
 
@@ -118,7 +119,7 @@ namespace seiche
       FETools::lexicographic_to_hierarchic_numbering<dim>(degree);
     std::vector<Node> fine, coarse;
     for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      for (unsigned int face = 0; face < 2 * dim; ++face)
+      for (const BoxFace face : GeometryInfo<dim>::face_indices())
         {
           if (!locator.at_seam(cell, face))
             continue;
@@ -142,12 +143,12 @@ namespace seiche
                   // 0 stands for the other end, too
                   const double upper =
                     here[d] < origin[d] ? origin[d] + size : here[d];
-                  unit[d] =
-                    d == face / 2 ? 1. - face % 2 : (upper - origin[d]) / size;
+                  unit[d] = d == face.direction() ? !face.is_upper() :
+                                                    (upper - origin[d]) / size;
                 }
               Weights weights;
               for (unsigned int b = 0; b < coarse.size(); ++b)
-                if (is_on(b, face ^ 1u, degree))
+                if (is_on(b, face.opposite(), degree))
                   if (const double N = fe.shape_value(hierarchic[b], unit);
                       std::abs(N) > 1e-12)
                     weights.emplace_back(coarse[b], N);
@@ -176,7 +177,7 @@ namespace seiche
           continue;
         get_nodes(dof_handler, locator, cell, nodes);
         for (unsigned int a = 0; a < nodes.size(); ++a)
-          for (unsigned int face = 0; face < 2 * dim; ++face)
+          for (const BoxFace face : GeometryInfo<dim>::face_indices())
             if (locator.at_seam(cell, face) && is_on(a, face, degree))
               at_place[locator.lattice_place(cell, halves<dim>(a, degree))]
                 .push_back(nodes[a]);

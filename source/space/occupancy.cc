@@ -141,7 +141,7 @@ namespace seiche
 
   template <int dim>
   void
-  Occupancy<dim>::number()
+  Occupancy<dim>::activate_cells()
   {
     // boxes of points reach into the first layer; the second saves numberings
     active_flag = occupied_flag;
@@ -159,12 +159,36 @@ namespace seiche
           }
         locator.exchange_to_ghosts(active_flag);
       }
+  }
 
-    const unsigned int n_nodes = nodes_per_cell();
+  template <int dim>
+  void
+  Occupancy<dim>::number()
+  {
+    activate_cells();
+    const std::vector<char> used = find_used_nodes();
+    number_nodes(used);
+
+    const unsigned int        n_nodes = nodes_per_cell();
+    std::vector<unsigned int> compact_of_full(used.size(), invalid);
+    for (unsigned int i = 0; i < full_of_compact.size(); ++i)
+      compact_of_full[full_of_compact[i]] = i;
+    compact_cell_nodes.assign(locator.n_cells() * n_nodes, invalid);
+    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      if (active_flag[cell])
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          compact_cell_nodes[cell * n_nodes + a] =
+            compact_of_full[mesh_nodes.of_cell(cell)[a]];
+    ++numbering_generation;
+    is_numbered = true;
+  }
+
+  template <int dim>
+  void
+  Occupancy<dim>::number_nodes(const std::vector<char> &used)
+  {
     const unsigned int n_own_full =
       mesh_nodes.partitioner()->locally_owned_size();
-    const std::vector<char> used = find_used_nodes();
-
     n_own = std::count(used.begin(), used.begin() + n_own_full, 1);
     const MPI_Comm communicator = locator.grid.triangulation.get_communicator();
     const auto     counts =
@@ -214,18 +238,6 @@ namespace seiche
                                                           ghost_set,
                                                           communicator);
     vector_layout = component_partitioner(*node_partitioner, dim);
-
-    std::vector<unsigned int> compact_of_full(used.size(), invalid);
-    for (unsigned int i = 0; i < full_of_compact.size(); ++i)
-      compact_of_full[full_of_compact[i]] = i;
-    compact_cell_nodes.assign(locator.n_cells() * n_nodes, invalid);
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      if (active_flag[cell])
-        for (unsigned int a = 0; a < n_nodes; ++a)
-          compact_cell_nodes[cell * n_nodes + a] =
-            compact_of_full[mesh_nodes.of_cell(cell)[a]];
-    ++numbering_generation;
-    is_numbered = true;
   }
 
   template <int dim>

@@ -90,7 +90,23 @@ namespace seiche
           }
       }
 
-      NodalVector end_velocity; // v_np1, for the gradient
+      /// That of v_np1, with APIC and affine FLIP; @p F: of the step.
+      template <typename Arrays>
+      void
+      update_gradient(const Batch                         &batch,
+                      const dealii::Tensor<2, dim, Lanes> &F,
+                      const PointRange                    &range,
+                      const Arrays                        &arrays) const
+      {
+        if (arrays.gradient[0] == nullptr)
+          return;
+        dealii::Tensor<2, dim, Lanes> C = batch.gradient(end_velocity);
+        if (!method.at_start)
+          C = C * invert(F);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int d = 0; d < dim; ++d)
+            range.store(C[c][d], arrays.gradient[c * dim + d]);
+      }
 
     private:
       /// True if the points integrate accelerations; of the grid's velocity
@@ -123,6 +139,7 @@ namespace seiche
       const double         *velocity_np1;
       const double         *velocity_series;
       const double         *acceleration_np1;
+      NodalVector           end_velocity; // v_np1, for the gradient
       NodalVector           source;
       NodalVector           acceleration;
     };
@@ -194,33 +211,15 @@ namespace seiche
                     HeldFlags();
           const Tensor<2, dim, Lanes> F = identity_plus(H);
 
-          Lanes change = determinant(F);
-          if (mean_volume)
-            {
-              const Lanes mean = batch.value(change_nodal);
-              for (unsigned int l = 0; l < range.size; ++l)
-                if (!is_held[l])
-                  change[l] = mean[l];
-            }
-          Lanes ratio = range.load(arrays.volume_ratio) * change;
-          for (unsigned int l = 0; l < range.size; ++l)
-            if (is_held[l])
-              {
-                ++n_held;
-                ratio[l] = held.bounded(ratio[l]);
-              }
-          range.store(ratio, arrays.volume_ratio);
-
+          const Lanes own = determinant(F);
+          n_held +=
+            held.update_volume(mean_volume ? batch.value(change_nodal) : own,
+                               own,
+                               is_held,
+                               range,
+                               arrays.volume_ratio);
           rule.update(batch, range, arrays);
-          if (arrays.gradient[0] != nullptr)
-            {
-              Tensor<2, dim, Lanes> C = batch.gradient(rule.end_velocity);
-              if (!method.at_start)
-                C = C * invert(F);
-              for (unsigned int c = 0; c < dim; ++c)
-                for (unsigned int d = 0; d < dim; ++d)
-                  range.store(C[c][d], arrays.gradient[c * dim + d]);
-            }
+          rule.update_gradient(batch, F, range, arrays);
           if (with_pressure)
             range.store(batch.value(p_nodal), arrays.pressure);
           for (unsigned int c = 0; c < dim; ++c)

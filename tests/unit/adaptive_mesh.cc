@@ -135,7 +135,8 @@ namespace
           in_box &= low[d] < 0.85 - 1e-9 && high[d] > 0.7 + 1e-9;
         for (unsigned int face = 0; face < 2 * dim; ++face)
           {
-            at_wall |= locator.boundary_id(cell, face) == 2 * dim;
+            at_wall |=
+              locator.wall_at(cell, face) == &locator.grid.wall(2 * dim);
             const unsigned int other = locator.neighbor(cell, face);
             if (other == locator.invalid)
               continue;

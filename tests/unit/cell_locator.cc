@@ -138,6 +138,5 @@ main(int argc, char **argv)
   for (const auto &x : {Point<2>(-1e-6, 1.), Point<2>(1.8, 0.3)})
     std::cout << x << ": "
               << (locator.find(x) == locator.invalid ? "outside" : "INSIDE")
-              << ", wall " << grid.wall(locator.wall_beyond(x)).name
-              << std::endl;
+              << ", wall " << locator.wall_beyond(x)->name << std::endl;
 }

@@ -45,8 +45,7 @@ namespace
       {
         bool at_wall = false;
         for (const unsigned int f : GeometryInfo<dim>::face_indices())
-          at_wall = at_wall || locator.boundary_id(cell, f) !=
-                                 numbers::internal_face_boundary_id;
+          at_wall = at_wall || locator.at_boundary(cell, f);
         if (at_wall || !occupancy.is_active(cell))
           continue;
         const auto level = [&](const unsigned int v) {

@@ -5,6 +5,7 @@
 #include <seiche/grid/fill.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -139,6 +140,26 @@ namespace seiche
     /// From local to column numbers, with what other ranks couple. Collective.
     void
     exchange_couplings();
+
+    /// By rank: global row, number of columns, global columns, and so on.
+    using RowMessages =
+      std::map<unsigned int, std::vector<dealii::types::global_dof_index>>;
+
+    /// Ghost rows to their owners; what was received. Collective.
+    RowMessages
+    send_ghost_rows();
+
+    /// `columns`: own nodes, then all others that rows couple to. Collective.
+    void
+    number_columns(const RowMessages &incoming);
+
+    /// All rows in the numbers of `columns`, own rows with what was received.
+    void
+    merge_rows(const RowMessages &incoming);
+
+    /// Entry of a row with this column number.
+    unsigned int
+    find(const unsigned int row_node, const unsigned int column_number) const;
 
     void
     build_tables();

@@ -103,6 +103,10 @@ namespace seiche
     {
       return projection_mass == "lumped";
     }
+
+  private:
+    void
+    add_tau_parameters(dealii::ParameterHandler &prm);
   };
 
   /**

@@ -22,7 +22,7 @@ namespace seiche
         for (const bool other_is_upper : {true, false})
           {
             const unsigned int other =
-              locator.neighbor(cell, 2 * direction + other_is_upper);
+              locator.neighbor(cell, BoxFace(direction, other_is_upper));
             if (other == locator.invalid || !takes_part(other))
               continue;
             const bool jump = locator.level(other) < locator.level(cell);

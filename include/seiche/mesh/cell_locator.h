@@ -4,6 +4,7 @@
 
 #include <seiche/mesh/cell_geometry.h>
 #include <seiche/scene/background_grid.h>
+#include <seiche/utilities/box_face.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/bounding_box.h>
@@ -125,8 +126,7 @@ namespace seiche
     bool
     at_boundary(const unsigned int cell, const unsigned int face) const
     {
-      return boundary_id(cell, face) !=
-             dealii::numbers::internal_face_boundary_id;
+      return wall_at(cell, face) != nullptr;
     }
 
     /// Own and ghost cells that share a vertex with an own cell (without it),
@@ -160,22 +160,31 @@ namespace seiche
     void
     exchange_to_ghosts(std::vector<Number> &cell_values) const;
 
-    /// Boundary id of a face at a wall, numbers::internal_face_boundary_id
-    /// elsewhere.
-    dealii::types::boundary_id
-    boundary_id(const unsigned int cell, const unsigned int face) const
+    /// The wall, or open side, that a face is part of; null elsewhere.
+    const Wall<dim> *
+    wall_at(const unsigned int cell, const unsigned int face) const
     {
-      return boundary_ids[cell][face];
+      return walls[cell][face];
+    }
+
+    /// The same, null at open sides.
+    const Wall<dim> *
+    closed_wall_at(const unsigned int cell, const unsigned int face) const
+    {
+      const Wall<dim> *const wall = wall_at(cell, face);
+      return wall != nullptr && wall->condition != WallCondition::open ?
+               wall :
+               nullptr;
     }
 
     /// True if the cell has a face on a periodic side.
     bool
-    at_seam(const unsigned int cell, const unsigned int face) const
+    at_seam(const unsigned int cell, const BoxFace face) const
     {
-      const unsigned int d = face / 2;
-      return periodic[d] && (face % 2 == 0 ? lattice_lower[cell][d] == 0 :
-                                             lattice_upper[cell][d] + 1 ==
-                                               lines[d].places.size());
+      const unsigned int d = face.direction();
+      return periodic[d] && (face.is_upper() ? lattice_upper[cell][d] + 1 ==
+                                                 lines[d].places.size() :
+                                               lattice_lower[cell][d] == 0);
     }
     bool
     at_seam(const unsigned int cell) const;
@@ -223,10 +232,10 @@ namespace seiche
       return iterators[cell];
     }
 
-    /// Boundary id of the wall through which a position outside left, found
-    /// from the side of the box it lies beyond (or the obstacle it lies in);
-    /// numbers::internal_face_boundary_id for a position in the fluid domain.
-    dealii::types::boundary_id
+    /// The wall through which a position outside left, found from the side of
+    /// the box it lies beyond (or the obstacle it lies in); null for a position
+    /// in the fluid domain.
+    const Wall<dim> *
     wall_beyond(const dealii::Point<dim> &x) const;
 
     /// The domain's box as it stands.
@@ -286,7 +295,7 @@ namespace seiche
 
     /// Cell across a face on a periodic side, as neighbor().
     unsigned int
-    across_seam(const unsigned int cell, const unsigned int face) const;
+    across_seam(const unsigned int cell, const BoxFace face) const;
     /// Of each vertex of the triangulation the number that stands for it and
     /// for those that coincide with it across a seam.
     std::vector<unsigned int>
@@ -306,11 +315,11 @@ namespace seiche
     unsigned int
     find_at_wall(const dealii::Point<dim> &x) const;
 
-    unsigned int                                   n_owned_cells = 0;
-    std::vector<CellGeometry<dim>>                 geometries;
-    std::vector<unsigned int>                      owners;
-    std::vector<std::array<unsigned int, 2 * dim>> face_neighbors;
-    std::vector<std::array<dealii::types::boundary_id, 2 * dim>> boundary_ids;
+    unsigned int                                        n_owned_cells = 0;
+    std::vector<CellGeometry<dim>>                      geometries;
+    std::vector<unsigned int>                           owners;
+    std::vector<std::array<unsigned int, 2 * dim>>      face_neighbors;
+    std::vector<std::array<const Wall<dim> *, 2 * dim>> walls; ///< of faces
     std::vector<std::size_t>            vertex_neighbor_begin; // own cells
     std::vector<unsigned int>           vertex_neighbor_list;
     std::vector<dealii::Tensor<1, dim>> reaches;

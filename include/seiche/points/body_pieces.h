@@ -112,7 +112,7 @@ namespace seiche
 
     /// The place across a face of deal.II's number; false if there is none.
     bool
-    cross(Place &place, const unsigned int face);
+    cross(Place &place, const BoxFace face);
 
     /// Faces across which a light part may go, the nearest to its centre
     /// first.
@@ -121,7 +121,7 @@ namespace seiche
 
     /// True if the part of @p from goes to that of @p to, across a face.
     bool
-    joins(const Place &from, const Place &to, const unsigned int face);
+    joins(const Place &from, const Place &to, const BoxFace face);
 
     const CellLocator<dim>                    &locator;
     const Region<dim>                         &region;

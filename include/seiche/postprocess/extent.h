@@ -45,7 +45,7 @@ namespace seiche
 
     /// Largest height at which a wall, of this boundary id, is wet [m].
     virtual double
-    wet_height(const dealii::types::boundary_id wall) const = 0;
+    wet_height(const unsigned int wall) const = 0;
 
     /// Integrals over the upper side.
     struct Surface

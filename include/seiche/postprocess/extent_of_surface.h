@@ -26,7 +26,7 @@ namespace seiche
     double
     level_left(const dealii::Point<dim> &place) const override;
     double
-    wet_height(const dealii::types::boundary_id wall) const override;
+    wet_height(const unsigned int wall) const override;
 
     Surface
     surface() const override;
@@ -35,8 +35,8 @@ namespace seiche
     /// Corners of wet faces at walls, and ends of the surface there.
     struct WetPlace
     {
-      dealii::types::boundary_id wall;
-      dealii::Point<dim>         place;
+      const Wall<dim>   *wall;
+      dealii::Point<dim> place;
     };
 
     void
@@ -46,9 +46,15 @@ namespace seiche
     double
     ceiling(const dealii::Point<dim> &place) const;
 
+    /// True if the cell touches the upper side of the domain.
+    bool
+    is_under_lid(const unsigned int cell) const;
+
     /// Height [m] at which the wall over a cell is at the end of the step.
     double
     ceiling_over(const unsigned int cell) const;
+
+    static constexpr BoxFace top = {dim - 1, /*upper=*/true};
 
     const StepView<dim>               &view;
     const std::vector<MovedPiece<dim>> pieces;

@@ -57,14 +57,15 @@ namespace seiche
 
     /// Of points in the cells at the wall.
     double
-    wet_height(const dealii::types::boundary_id wall) const override
+    wet_height(const unsigned int wall) const override
     {
       const auto &locator = view.occupancy.locator;
       return largest(dim - 1, 1., [&](const Entry &entry) {
         for (const unsigned int face :
              dealii::GeometryInfo<dim>::face_indices())
-          if (locator.boundary_id(entry.cell, face) == wall)
-            return true;
+          if (const Wall<dim> *const here = locator.wall_at(entry.cell, face))
+            if (here->number == wall)
+              return true;
         return false;
       });
     }

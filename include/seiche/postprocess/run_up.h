@@ -55,7 +55,7 @@ namespace seiche
     const std::vector<RunUpParameters<dim>>       run_ups;
     const BackgroundGrid<dim>                    &grid;
     const std::shared_ptr<FluidExtentOfStep<dim>> extent;
-    std::vector<dealii::types::boundary_id>       walls; // of each run-up
+    std::vector<unsigned int>                     walls; // of each run-up
   };
 } // namespace seiche
 

@@ -52,9 +52,8 @@ namespace seiche
       return {walls.data() + 2 * dim, walls.size() - 2 * dim};
     }
 
-    /// Boundary id of the obstacle that a place lies in, or
-    /// numbers::internal_face_boundary_id.
-    dealii::types::boundary_id
+    /// The obstacle that a place lies in, or null.
+    const Wall<dim> *
     obstacle_at(const dealii::Point<dim> &place) const;
 
     /// Fewest cells along a periodic direction: a cell, the two beside it and
@@ -87,7 +86,9 @@ namespace seiche
 
   private:
     void
-    add_wall_parameters(dealii::ParameterHandler &prm);
+    add_side_parameters(dealii::ParameterHandler &prm);
+    void
+    add_obstacle_parameters(dealii::ParameterHandler &prm);
     void
     check_walls(const InputFile &input);
     void

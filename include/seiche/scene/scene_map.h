@@ -4,6 +4,7 @@
 
 #include <seiche/scene/fluid_body.h>
 #include <seiche/scene/grid_parameters.h>
+#include <seiche/utilities/box_face.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -52,7 +53,7 @@ namespace seiche
     /// Content of the neighbour across face 2 d (below) or 2 d + 1 (above);
     /// obstacle beyond the domain.
     int
-    neighbor(const Index &index, const unsigned int face) const;
+    neighbor(const Index &index, const BoxFace face) const;
 
     /// Places that cut the domain in a direction, both ends included [m].
     const std::vector<double> &

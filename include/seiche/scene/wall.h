@@ -2,6 +2,8 @@
 #ifndef seiche_scene_wall_h
 #define seiche_scene_wall_h
 
+#include <seiche/utilities/box_face.h>
+
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/point.h>
@@ -24,14 +26,14 @@ namespace seiche
   /**
    * @brief A wall: a side of the domain's box, or the faces of an obstacle.
    *
-   * Its number in GridParameters::walls is its boundary id.
+   * Its number is its place in GridParameters::walls and the boundary id of its
+   * faces: that of deal.II for a side, then those of obstacles.
    */
   template <int dim>
   struct Wall
   {
-    std::string name; ///< e.g. "left", or that of the obstacle
-    /// deal.II's number of the side; of an obstacle invalid_unsigned_int.
-    unsigned int  side      = dealii::numbers::invalid_unsigned_int;
+    std::string   name; ///< e.g. "left", or that of the obstacle
+    unsigned int  number    = dealii::numbers::invalid_unsigned_int;
     WallCondition condition = WallCondition::slip;
     double        friction  = 0.; ///< skin friction coefficient [-]
     std::string   velocity;       ///< expressions, along itself [m/s]
@@ -43,14 +45,14 @@ namespace seiche
     bool
     is_side() const
     {
-      return side != dealii::numbers::invalid_unsigned_int;
+      return number < 2 * dim;
     }
 
-    /// Direction normal to a side.
-    unsigned int
-    normal() const
+    /// Of the domain's box.
+    BoxFace
+    side() const
     {
-      return side / 2;
+      return number;
     }
 
     dealii::BoundingBox<dim>

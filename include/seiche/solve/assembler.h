@@ -6,7 +6,6 @@
 #include <seiche/formulation/formulation.h>
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/scene/body_force.h>
-#include <seiche/solve/edge_pressure.h>
 #include <seiche/solve/step_balance.h>
 #include <seiche/utilities/timer_tree.h>
 
@@ -192,10 +191,6 @@ namespace seiche
       return formulation.has_pressure() && nodes.matrix == nullptr &&
              occupancy.constraints.any_oblique(nodes);
     }
-
-    template <int degree>
-    EdgePressure<dim, degree>
-    edge_pressure(const unsigned int cell) const;
 
     /// Of all cells to the residual of the displacements, and to what walls
     /// give the fluid. Collective.

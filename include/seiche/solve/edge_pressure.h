@@ -3,7 +3,7 @@
 #define seiche_solve_edge_pressure_h
 
 #include <seiche/algebra/cell_matrix.h>
-#include <seiche/space/node_constraints.h>
+#include <seiche/space/occupancy.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -26,21 +26,20 @@ namespace seiche
     using Shape                           = Basis<dim, degree>;
     static constexpr unsigned int n_nodes = Shape::n_nodes;
 
-    /// @p is_wall(face): of this cell.
-    template <typename IsWall>
-    EdgePressure(const CellGeometry<dim>         &geometry,
-                 const CellUnknowns<dim, degree> &nodes,
-                 const NodeConstraints<dim>      &constraints,
-                 const IsWall                    &is_wall)
+    /// Of an own occupied cell.
+    EdgePressure(const Occupancy<dim> &occupancy, const unsigned int cell)
     {
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int side = 0; side < 2; ++side)
-          if (is_wall(2 * d + side))
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              if (Shape::line_index(a, d) == side * degree &&
-                  constraints.is_oblique(nodes[a]))
-                add_face(
-                  geometry, d, side, a, constraints.oblique_normal(nodes[a]));
+      const auto  nodes       = occupancy.template unknowns<degree>(cell);
+      const auto &constraints = occupancy.constraints;
+      for (const BoxFace face : dealii::GeometryInfo<dim>::face_indices())
+        if (occupancy.locator.closed_wall_at(cell, face) != nullptr)
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            if (is_on_face<dim>(degree, a, face) &&
+                constraints.is_oblique(nodes[a]))
+              add_face(occupancy.locator.geometry(cell),
+                       face,
+                       a,
+                       constraints.oblique_normal(nodes[a]));
     }
 
     /// @p force [N] += G p; both by node of the grid.
@@ -68,16 +67,16 @@ namespace seiche
   private:
     void
     add_face(const CellGeometry<dim>      &geometry,
-             const unsigned int            d,
-             const unsigned int            side,
+             const BoxFace                 face,
              const unsigned int            a,
              const dealii::Tensor<1, dim> &normal)
     {
-      const double                 outward = side == 0 ? -1. : 1.;
+      const unsigned int           d = face.direction();
       const dealii::Tensor<1, dim> direction =
-        outward * (dealii::Point<dim>::unit_vector(d) - normal[d] * normal);
+        face.outward() *
+        (dealii::Point<dim>::unit_vector(d) - normal[d] * normal);
       for (unsigned int b = 0; b < n_nodes; ++b)
-        if (Shape::line_index(b, d) == side * degree)
+        if (is_on_face<dim>(degree, b, face))
           {
             double mass = geometry.measure / geometry.edges[d];
             for (unsigned int c = 0; c < dim; ++c)

@@ -6,6 +6,7 @@
 #include <seiche/solve/linear_system.h>
 #include <seiche/solve/residual_projection.h>
 
+#include <cmath>
 #include <string>
 
 namespace seiche
@@ -92,12 +93,26 @@ namespace seiche
     /// What iterations hand on.
     struct Progress
     {
+      Norms        first, now, target;  ///< of the residual
       double       forcing     = 0.;    ///< of the next linear solve
       unsigned int most_slow   = 0;     ///< updates in a row
       bool         may_reuse   = true;  ///< a tangent, in this try
       bool         reuse       = false; ///< the tangent, in the next iteration
       bool         reused      = false; ///< in the last one, to its end
       unsigned int slow_in_row = 0;     ///< updates
+
+      bool
+      is_finite() const
+      {
+        return std::isfinite(now.momentum + now.volume);
+      }
+
+      /// Not of a residual that is not a number.
+      bool
+      is_done() const
+      {
+        return now.momentum <= target.momentum && now.volume <= target.volume;
+      }
 
       /// Forget the updates so far: the problem is new.
       void
@@ -109,26 +124,31 @@ namespace seiche
       }
     };
 
+    /// Residual of the state, and what it must fall to.
+    Progress
+    begin(GridState<dim> &state, const IfUnconverged then);
+
+    /// An update of the solution and of its residual; result.failure says why
+    /// there is none.
+    void
+    iterate(GridState<dim> &state,
+            const bool      only_nearer,
+            Progress       &progress,
+            NewtonResult   &result);
+
     /// Norm of what the linear model of the last update missed.
     double
     model_error();
 
     /// After an update that left @p reduction of the residual @p before: what
-    /// the next one is asked for, to reduce the residual by @p needed.
-    /// @p is_last: it is small enough already.
+    /// the next one is asked for.
     void
-    plan_next(Progress    &progress,
-              const double reduction,
-              const double needed,
-              const double before,
-              const bool   is_last);
+    plan_next(Progress &progress, const double reduction, const double before);
 
     /// Why the iteration must stop, or nothing.
     std::string
-    reason_to_stop(const Norms       &now,
-                   const Norms       &first,
-                   const unsigned int iterations,
-                   const Progress    &progress) const;
+    reason_to_stop(const Progress    &progress,
+                   const unsigned int iterations) const;
 
     const NewtonParameters   parameters;
     const double             first_forcing;

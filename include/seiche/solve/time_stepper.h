@@ -59,6 +59,10 @@ namespace seiche
     {
       return control == "error";
     }
+
+  private:
+    void
+    add_step_size_parameters(dealii::ParameterHandler &prm);
   };
 
   /// What the local error of a step says of its size.

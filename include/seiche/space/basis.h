@@ -2,6 +2,8 @@
 #ifndef seiche_space_basis_h
 #define seiche_space_basis_h
 
+#include <seiche/utilities/box_face.h>
+
 #include <deal.II/base/point.h>
 
 #include <algorithm>
@@ -182,6 +184,17 @@ namespace seiche
   {
     return degree == 1 ? Basis<dim, 1>::line_index(a, d) :
                          Basis<dim, 2>::line_index(a, d);
+  }
+
+  /// True if node a of a cell lies on a face of it.
+  template <int dim>
+  bool
+  is_on_face(const unsigned int degree,
+             const unsigned int a,
+             const BoxFace      face)
+  {
+    return line_index<dim>(degree, a, face.direction()) ==
+           (face.is_upper() ? degree : 0);
   }
 
   /// Node of a cell at its vertex v.

@@ -22,9 +22,8 @@ namespace seiche
   /// but those of no-slip walls.
   struct NodeWall
   {
-    dealii::types::boundary_id wall;
-    unsigned int               component, sides, cell;
-    bool                       is_normal;
+    unsigned int wall, component, sides, cell;
+    bool         is_normal;
   };
 
   /**

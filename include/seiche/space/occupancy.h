@@ -274,6 +274,14 @@ namespace seiche
     void
     number();
 
+    /// Occupied cells and those around them. Collective.
+    void
+    activate_cells();
+
+    /// Compact numbers for the nodes that are @p used. Collective.
+    void
+    number_nodes(const std::vector<char> &used);
+
     /// Nodes of active cells, known to their owners and to those who need
     /// them. Collective.
     std::vector<char>

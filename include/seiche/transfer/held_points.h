@@ -2,6 +2,7 @@
 #ifndef seiche_transfer_held_points_h
 #define seiche_transfer_held_points_h
 
+#include <seiche/points/point_range.h>
 #include <seiche/space/point_batch.h>
 #include <seiche/transfer/wall_faces.h>
 
@@ -100,6 +101,28 @@ namespace seiche
       return std::clamp(ratio,
                         1. - largest_volume_error,
                         1. + largest_volume_error);
+    }
+
+    /// Volume ratios [-] of a batch times @p change; of held points times what
+    /// is their @p own, within bounds. How many are held.
+    static std::size_t
+    update_volume(const Lanes      &change,
+                  const Lanes      &own,
+                  const HeldFlags  &is_held,
+                  const PointRange &range,
+                  double           *ratios)
+    {
+      const Lanes before = range.load(ratios);
+      Lanes       after  = before * change;
+      std::size_t n_held = 0;
+      for (unsigned int l = 0; l < range.size; ++l)
+        if (is_held[l])
+          {
+            ++n_held;
+            after[l] = bounded(before[l] * own[l]);
+          }
+      range.store(after, ratios);
+      return n_held;
     }
 
   private:

@@ -38,9 +38,7 @@ namespace seiche
           upper[d]   = infinite;
           for (unsigned int side = 0; side < 2; ++side)
             {
-              const auto wall = locator.boundary_id(cell, 2 * d + side);
-              if (wall == dealii::numbers::internal_face_boundary_id ||
-                  locator.grid.wall(wall).condition == WallCondition::open)
+              if (locator.closed_wall_at(cell, BoxFace(d, side)) == nullptr)
                 continue;
               // where nodes differ (hanging ones, contacts) the farthest counts
               const auto &constraints = occupancy.constraints;
