@@ -72,9 +72,8 @@ namespace seiche
       if (!has_pressure())
         return;
       cell.tau            = subscales->evaluate({cell.coefficients,
-                                                 cell.density,
+                                                 cell.fluid,
                                                  volume_law.bulk_modulus,
-                                                 cell.viscosity,
                                                  cell.geometry.size(),
                                                  degree,
                                                  cell.start_speed,
