@@ -42,14 +42,14 @@ namespace seiche
       {
         if (!touches_wall(occupancy, cell))
           continue;
-        add_integrals<dim>(
-          occupancy, cell, line, numbers::invalid_unsigned_int, volume);
+        add_volume_integrals<dim>(occupancy, cell, line, volume);
         for (const unsigned int face : GeometryInfo<dim>::face_indices())
           {
             const auto area =
               areas.find({locator.boundary_id(cell, face), face / 2});
             if (area != areas.end())
-              add_integrals<dim>(occupancy, cell, line, face, area->second);
+              add_area_integrals<dim>(
+                occupancy, cell, face, line, area->second);
           }
       }
     volume.compress(VectorOperation::add);
