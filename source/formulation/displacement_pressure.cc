@@ -30,7 +30,7 @@ namespace seiche
 
     const InertiaTerm           inertia;
     const BodyForceTerm         body_force;
-    const ViscousTerm           viscosity;
+    const ViscousTerm           viscous;
     const PressureTerm          pressure;
     const VolumeConstraintTerm  constraint(volume_law, factors);
     const MomentumSubscaleTerm  momentum_subscale;
@@ -41,7 +41,7 @@ namespace seiche
 
     result.step = make_weak_form<dim>(inertia,
                                       body_force,
-                                      viscosity,
+                                      viscous,
                                       pressure,
                                       constraint,
                                       momentum_subscale,
@@ -65,7 +65,7 @@ namespace seiche
     result.consistent_start =
       make_weak_form<dim>(inertia,
                           body_force,
-                          viscosity,
+                          viscous,
                           pressure,
                           StartConstraintTerm(volume_law, /*factor=*/1.),
                           momentum_subscale,
@@ -78,7 +78,7 @@ namespace seiche
       result.residual_moments =
         make_weak_form<dim>(Strong(inertia),
                             Strong(body_force),
-                            Strong(viscosity),
+                            Strong(viscous),
                             Strong(pressure),
                             Strong(constraint),
                             ResidualMomentsTerm(

@@ -74,17 +74,22 @@ namespace seiche
 
   template <int dim>
   void
-  Formulation<dim>::update_points(PointCloud<dim> &points,
-                                  const bool       volume_from_pressure) const
+  Formulation<dim>::update_pressures(PointCloud<dim> &points) const
   {
-    double *ratio    = points.data(PointColumn::volume_ratio);
-    double *pressure = points.data(PointColumn::pressure);
-    if (!has_pressure())
-      for (std::size_t p = 0; p < points.size(); ++p)
-        pressure[p] = -volume_law.bulk_modulus * volume_law.strain(ratio[p]);
-    else if (volume_from_pressure)
-      for (std::size_t p = 0; p < points.size(); ++p)
-        ratio[p] = volume_law.ratio(-pressure[p] / volume_law.bulk_modulus);
+    const double *ratio    = points.data(PointColumn::volume_ratio);
+    double       *pressure = points.data(PointColumn::pressure);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      pressure[p] = -volume_law.bulk_modulus * volume_law.strain(ratio[p]);
+  }
+
+  template <int dim>
+  void
+  Formulation<dim>::update_volume_ratios(PointCloud<dim> &points) const
+  {
+    const double *pressure = points.data(PointColumn::pressure);
+    double       *ratio    = points.data(PointColumn::volume_ratio);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      ratio[p] = volume_law.ratio(-pressure[p] / volume_law.bulk_modulus);
   }
 
   template <int dim>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/formulation/gauss_gradients.h>
 #include <seiche/formulation/point_inertia_term.h>
+#include <seiche/space/cell_laplacian.h>
 
 namespace seiche
 {
@@ -8,36 +8,8 @@ namespace seiche
 
   namespace
   {
-    /// int grad N_a . grad N_b over the unit cell.
     template <int dim, int degree>
-    struct UnitStiffness
-    {
-      static constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
-
-      double value[n_nodes][n_nodes] = {};
-
-      UnitStiffness()
-      {
-        Point<dim> upper;
-        for (unsigned int d = 0; d < dim; ++d)
-          upper[d] = 1.;
-        for_each_gauss_gradient<dim, degree>(
-          {Point<dim>(), upper},
-          [this](const double(&gradient)[dim][n_nodes], const double weight) {
-            for (unsigned int d = 0; d < dim; ++d)
-              for (unsigned int a = 0; a < n_nodes; ++a)
-                for (unsigned int b = 0; b < n_nodes; ++b)
-                  value[a][b] += weight * gradient[d][a] * gradient[d][b];
-          });
-      }
-
-      static const UnitStiffness &
-      get()
-      {
-        static const UnitStiffness matrix;
-        return matrix;
-      }
-    };
+    const CellLaplacian<dim, degree> unit_laplacian;
   } // namespace
 
   template <int dim, int degree>
@@ -47,7 +19,7 @@ namespace seiche
     const double inertia = factor * cell.extent_inertia;
     if (inertia == 0.)
       return;
-    const auto &stiffness = UnitStiffness<dim, degree>::get().value;
+    const auto &stiffness = unit_laplacian<dim, degree>.K;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int b = 0; b < cell.n_nodes; ++b)
         {
@@ -65,7 +37,7 @@ namespace seiche
       factor * cell.extent_inertia * cell.coefficients.inertia;
     if (inertia == 0.)
       return;
-    const auto &stiffness = UnitStiffness<dim, degree>::get().value;
+    const auto &stiffness = unit_laplacian<dim, degree>.K;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int a = 0; a < cell.n_nodes; ++a)
         for (unsigned int b = 0; b < cell.n_nodes; ++b)

@@ -29,14 +29,14 @@ namespace seiche
     {
       const double k4 = static_cast<double>(cell.degree * cell.degree) *
                         cell.degree * cell.degree;
-      return p.viscous_factor * 2. * cell.viscosity * cell.step.rate * k4 /
+      return p.viscous_factor * cell.fluid.stiffness(cell.step.rate) * k4 /
              (cell.h * cell.h);
     }
 
     double
     transient(const StabilizationParameters &p, const TauArguments &cell)
     {
-      return p.inertia_factor * cell.density * cell.step.inertia +
+      return p.inertia_factor * cell.fluid.inertia(cell.step.inertia) +
              viscous_part(p, cell);
     }
 
@@ -64,7 +64,8 @@ namespace seiche
         true,
         true,
         [](const StabilizationParameters &p, const TauArguments &cell) {
-          return std::hypot(p.inertia_factor * cell.density * cell.step.inertia,
+          return std::hypot(p.inertia_factor *
+                              cell.fluid.inertia(cell.step.inertia),
                             viscous_part(p, cell));
         }},
        {"paper",
@@ -73,9 +74,9 @@ namespace seiche
         false,
         [](const StabilizationParameters &p, const TauArguments &cell) {
           const double dt = cell.step.dt;
-          return p.viscous_factor * 2. * cell.viscosity /
-                   (cell.h * cell.h * dt) +
-                 p.inertia_factor * cell.density * floored_speed(p, cell) /
+          return p.viscous_factor * cell.fluid.stiffness(1. / dt) /
+                   (cell.h * cell.h) +
+                 p.inertia_factor * cell.fluid.inertia(floored_speed(p, cell)) /
                    (cell.h * dt);
         }}}};
 
@@ -267,8 +268,8 @@ namespace seiche
     if (bears_weight)
       result.continuity =
         std::max(result.continuity,
-                 p.continuity_factor * cell.step.inertia * cell.step.dt *
-                   cell.step.dt * weight_factor * cell.density *
+                 p.continuity_factor * cell.fluid.inertia(cell.step.inertia) *
+                   cell.step.dt * cell.step.dt * weight_factor *
                    cell.body_force * cell.h);
     if (p.continuity_time > cell.step.dt)
       result.continuity *= cell.step.dt / p.continuity_time;

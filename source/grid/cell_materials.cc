@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/cell_materials.h>
+#include <seiche/materials/viscous_stress.h>
 #include <seiche/space/node_means.h>
+#include <seiche/space/point_batch.h>
 
 #include <algorithm>
 
@@ -17,9 +19,8 @@ namespace seiche
   {
     for (const Material &material : materials)
       {
-        constant_viscosity = constant_viscosity && material.law->is_constant;
-        inviscid           = inviscid && material.law->is_inviscid();
-        heaviest           = std::max(heaviest, material.density);
+        is_newtonian  = is_newtonian && material.law->is_constant;
+        bound.density = std::max(bound.density, material.density);
       }
   }
 
@@ -35,6 +36,7 @@ namespace seiche
   void
   CellMaterials<dim>::update(const PointCloud<dim> &points)
   {
+    neglect_viscosities();
     if (!are_several())
       return;
     sum_points(points);
@@ -49,11 +51,11 @@ namespace seiche
         unsigned int n_held = 0;
         for (unsigned int m = 0; m < materials.size(); ++m)
           {
-            const double held = volume(m, cell);
+            const double held = volumes[m][cell];
             mass += materials[m].density * held;
             sum += held;
             n_held += held > 0.;
-            if (held > volume(main[cell], cell))
+            if (held > volumes[main[cell]][cell])
               main[cell] = m;
           }
         mixed[cell]  = n_held > 1;
@@ -68,7 +70,7 @@ namespace seiche
     // nodes without fluid, which have no mass either
     for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
       if (node_density.local_element(i) == 0.)
-        node_density.local_element(i) = heaviest;
+        node_density.local_element(i) = bound.density;
   }
 
   template <int dim>
@@ -81,7 +83,7 @@ namespace seiche
     const double *initial  = points.data(PointColumn::initial_volume);
     for (const unsigned int cell : occupancy.occupied_cells())
       for (const std::size_t p : points.points_in(cell))
-        volume(material[p], cell) += initial[p];
+        volumes[material[p]][cell] += initial[p];
     for (auto &of_material : volumes)
       occupancy.locator.exchange_to_ghosts(of_material);
   }
@@ -102,8 +104,45 @@ namespace seiche
               around[m] += volumes_of_points[m][neighbor];
           const unsigned int most =
             std::max_element(around.begin(), around.end()) - around.begin();
-          volume(most, cell) = occupancy.locator.geometry(cell).measure;
+          volumes[most][cell] = occupancy.locator.geometry(cell).measure;
         }
+  }
+
+  template <int dim>
+  void
+  CellMaterials<dim>::update_viscosities(const Vector &velocity)
+  {
+    neglect_viscosities();
+    if (!are_several() && is_newtonian)
+      {
+        bound.viscosity = materials[0].law->scale;
+        return;
+      }
+    viscosities.assign(occupancy.locator.n_cells(), 0.);
+    for (const unsigned int cell : occupancy.occupied_cells())
+      {
+        viscosities[cell] =
+          viscosity(cell, is_newtonian ? 0. : shear_in(cell, velocity));
+        bound.viscosity = std::max(bound.viscosity, viscosities[cell]);
+      }
+    occupancy.locator.exchange_to_ghosts(viscosities);
+    bound.viscosity = Utilities::MPI::max(
+      bound.viscosity, occupancy.scalar_partitioner()->get_mpi_communicator());
+  }
+
+  template <int dim>
+  double
+  CellMaterials<dim>::shear_in(const unsigned int cell,
+                               const Vector      &velocity) const
+  {
+    return with_degree(occupancy.degree(cell), [&](const auto degree) {
+      PointBatch<dim, degree, double> centre;
+      centre.reinit(occupancy.locator.geometry(cell),
+                    CellGeometry<dim>::unit_centre());
+      double nodal[dim][centre.n_nodes];
+      occupancy.template unknowns<degree>(cell).read(velocity.begin(), nodal);
+      return gamma_square(shear_rate(centre.gradient(nodal)));
+    });
   }
 
   template <int dim>
@@ -113,14 +152,11 @@ namespace seiche
   {
     if (!are_several())
       return materials[0].law->viscosity(gamma_square);
-    double sum = 0., total = 0.;
+    double mean = 0.;
     for (unsigned int m = 0; m < materials.size(); ++m)
-      if (const double held = volumes[m][cell]; held > 0.)
-        {
-          sum += held * materials[m].law->viscosity(gamma_square);
-          total += held;
-        }
-    return total > 0. ? sum / total : 0.;
+      if (const double held = share(m, cell); held > 0.)
+        mean += held * materials[m].law->viscosity(gamma_square);
+    return mean;
   }
 
   template class CellMaterials<2>;

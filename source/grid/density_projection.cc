@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/density_projection.h>
 #include <seiche/grid/point_shift.h>
+#include <seiche/space/cell_laplacian.h>
 #include <seiche/space/point_batch.h>
 
 #include <deal.II/lac/diagonal_matrix.h>
@@ -25,41 +26,6 @@ namespace seiche
     constexpr double       tolerance      = 1e-2;
     constexpr unsigned int max_iterations = 200;
 
-    /// grad N_a . grad N_b over a box.
-    template <int dim>
-    struct CellLaplacian
-    {
-      static constexpr unsigned int n = 1u << dim;
-      Tensor<1, dim>                extent;
-      double                        K[n][n];
-
-      void
-      reinit(const Tensor<1, dim> &e)
-      {
-        if (e == extent)
-          return;
-        extent         = e;
-        double measure = 1.;
-        for (unsigned int d = 0; d < dim; ++d)
-          measure *= e[d];
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < n; ++b)
-            {
-              K[a][b] = 0.;
-              for (unsigned int d = 0; d < dim; ++d)
-                {
-                  double product = measure / (e[d] * e[d]);
-                  for (unsigned int c = 0; c < dim; ++c)
-                    {
-                      const bool same = ((a ^ b) >> c & 1u) == 0;
-                      product *=
-                        c == d ? (same ? 1. : -1.) : (same ? 1. / 3. : 1. / 6.);
-                    }
-                  K[a][b] += product;
-                }
-            }
-      }
-    };
   } // namespace
 
   template <int dim>
@@ -90,12 +56,12 @@ namespace seiche
   {
     const Vector &f = fill.nodal_fill(), &inside = fill.surface().nodal_fill();
     inverse_diagonal.reinit(occupancy.scalar_partitioner());
-    CellLaplacian<dim> laplacian;
+    CellLaplacian<dim, 1> laplacian;
     for (const unsigned int cell : occupancy.occupied_cells())
       {
-        laplacian.reinit(occupancy.locator.geometry(cell).edges);
+        laplacian.reinit(occupancy.locator.geometry(cell));
         const unsigned int *nodes = occupancy.cell_nodes(cell);
-        for (unsigned int v = 0; v < laplacian.n; ++v)
+        for (unsigned int v = 0; v < laplacian.n_nodes; ++v)
           inverse_diagonal.local_element(
             nodes[vertex_node<dim>(occupancy.fe.degree, v)]) +=
             laplacian.K[v][v];
@@ -138,16 +104,16 @@ namespace seiche
     src.update_ghost_values();
     dst = 0.;
     dst.zero_out_ghost_values();
-    CellLaplacian<dim> laplacian;
-    double             x[CellLaplacian<dim>::n], y[CellLaplacian<dim>::n];
+    CellLaplacian<dim, 1> laplacian;
+    double x[CellLaplacian<dim, 1>::n_nodes], y[CellLaplacian<dim, 1>::n_nodes];
     for (const unsigned int cell : free_cells)
       {
-        laplacian.reinit(occupancy.locator.geometry(cell).edges);
+        laplacian.reinit(occupancy.locator.geometry(cell));
         occupancy.vertex_values(cell, src, x);
-        for (unsigned int a = 0; a < laplacian.n; ++a)
+        for (unsigned int a = 0; a < laplacian.n_nodes; ++a)
           {
             y[a] = 0.;
-            for (unsigned int b = 0; b < laplacian.n; ++b)
+            for (unsigned int b = 0; b < laplacian.n_nodes; ++b)
               y[a] += laplacian.K[a][b] * x[b];
           }
         occupancy.add_vertex_values(cell, y, dst);

@@ -25,9 +25,8 @@ namespace seiche
     for (const unsigned int cell : occupancy.occupied_cells())
       if (touches_wall(occupancy, cell))
         {
-          constexpr unsigned int volume = numbers::invalid_unsigned_int;
-          add_integrals(occupancy, cell, line, volume, of_shapes);
-          add_integrals(occupancy, cell, hats, volume, of_hats);
+          add_volume_integrals(occupancy, cell, line, of_shapes);
+          add_volume_integrals(occupancy, cell, hats, of_hats);
         }
     of_shapes.compress(VectorOperation::add);
     of_hats.compress(VectorOperation::add);

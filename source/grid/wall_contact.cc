@@ -102,8 +102,8 @@ namespace seiche
           (std::sqrt(speed) / state.dt +
            body_force.value(occupancy.node_position(node), state.time).norm());
         contact.pressing =
-          std::max(0., state.pressure_guess.local_element(node)) * mass /
-          materials.density_of_node(node) / contact.width;
+          std::max(0., state.pressure_guess.local_element(node)) *
+          materials.volume_of_node(node, mass) / contact.width;
         contact.releases = 0;
         const double velocity =
           contact.inward *

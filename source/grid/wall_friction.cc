@@ -42,8 +42,7 @@ namespace seiche
       {
         if (!touches_wall(occupancy, cell))
           continue;
-        add_integrals<dim>(
-          occupancy, cell, line, numbers::invalid_unsigned_int, volume);
+        add_volume_integrals<dim>(occupancy, cell, line, volume);
         for (const BoxFace face : GeometryInfo<dim>::face_indices())
           {
             const Wall<dim> *const wall = locator.wall_at(cell, face);
@@ -51,7 +50,8 @@ namespace seiche
               continue;
             const auto area = areas.find({wall->number, face.direction()});
             if (area != areas.end())
-              add_integrals<dim>(occupancy, cell, line, face, area->second);
+              add_area_integrals<dim>(
+                occupancy, cell, face, line, area->second);
           }
       }
     volume.compress(VectorOperation::add);

@@ -122,7 +122,7 @@ namespace seiche
       const SeedingParameters &parameters;
       const FluidBody<dim>    &body;
       const unsigned int       body_index;
-      const double             density;
+      const FluidProperties    fluid;
       PointCloud<dim>         &points;
       BodyPieces<dim>          pieces;
     };
@@ -150,7 +150,7 @@ namespace seiche
       : parameters(seeding_parameters)
       , body(body_list[index])
       , body_index(index)
-      , density(body_material.density)
+      , fluid(body_material.properties())
       , points(target)
       , pieces(target.locator,
                regions(body_list),
@@ -219,7 +219,7 @@ namespace seiche
           points.insert(id,
                         x,
                         velocity.vector_value(x, /*t=*/0.),
-                        density * piece.volume,
+                        fluid.mass(piece.volume),
                         piece.volume);
           if (points.has(PointColumn::material))
             points.data(PointColumn::material)[points.size() - 1] =
@@ -230,7 +230,7 @@ namespace seiche
             std::max(largest_share, piece.volume / lattice.measure());
           for (unsigned int d = 0; d < dim; ++d)
             smallest_spacing = std::min(smallest_spacing, lattice.spacing[d]);
-          mass += density * piece.volume;
+          mass += fluid.mass(piece.volume);
           ++n_points;
         }
     }
@@ -320,7 +320,7 @@ namespace seiche
           {bodies[b].name,
            dealii::Utilities::MPI::sum(seeder.n_points, points.communicator),
            dealii::Utilities::MPI::sum(seeder.mass, points.communicator),
-           material.density * bodies[b].region->volume()});
+           material.properties().mass(bodies[b].region->volume())});
       }
     points.locate();
     result.n_points = points.n_global();

@@ -238,19 +238,18 @@ namespace seiche
                  const LinearRatio<dim> &J,
                  CellQuadrature<dim>    &quadrature) const
       {
-        const double density = materials.density(cell);
+        const FluidProperties fluid = materials.mean(cell);
         if (fill.is_full(cell))
           for (unsigned int q = 0; q < gauss.size(); ++q)
-            add(
-              density, gauss.point(q), volume * gauss.weight(q), J, quadrature);
+            add(fluid, gauss.point(q), volume * gauss.weight(q), J, quadrature);
         else
           for (const Point<dim> &x : fill.surface().rule(cell))
-            add(density, x, volume / CutCell<dim>::n_vertices, J, quadrature);
+            add(fluid, x, volume / CutCell<dim>::n_vertices, J, quadrature);
       }
 
       /// A point that is no material one, of a volume at t_n: V0 = V_n/J_n.
       void
-      add(const double            density,
+      add(const FluidProperties  &fluid,
           const Point<dim>       &x,
           const double            volume_n,
           const LinearRatio<dim> &J,
@@ -258,7 +257,7 @@ namespace seiche
       {
         const double J_q    = J.value(x);
         const double volume = volume_n / J_q;
-        quadrature.push_back(x, density * volume, volume, J_q);
+        quadrature.push_back(x, fluid.mass(volume), volume, J_q);
       }
 
       const PointCloud<dim>    &points;

@@ -162,9 +162,10 @@ namespace seiche
   void
   Problem<dim>::update_points()
   {
-    formulation.update_points(points,
-                              scene.volume_update() ==
-                                VolumeUpdate::from_the_pressure);
+    if (!formulation.has_pressure())
+      formulation.update_pressures(points);
+    else if (scene.volume_update() == VolumeUpdate::from_the_pressure)
+      formulation.update_volume_ratios(points);
   }
 
   template <int dim>

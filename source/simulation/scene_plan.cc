@@ -216,7 +216,7 @@ namespace seiche
   {
     double nu = 0.; // kinematic, at a shear rate of 1/s
     for (const Material &material : scene.materials)
-      nu = std::max(nu, material.law->viscosity(1.) / material.density);
+      nu = std::max(nu, material.properties(1.).kinematic_viscosity());
     const double dt        = scene.time.end_time / std::max(1., steps);
     const double diffusion = nu * dt / (smallest.edge * smallest.edge);
     const double gauss =

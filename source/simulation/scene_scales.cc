@@ -82,10 +82,10 @@ namespace seiche
   {
     for (const Material &material : scene.materials)
       {
-        density = std::max(density, material.density);
-        viscosity =
-          std::max(viscosity,
-                   material.law->viscosity(usual_shear * usual_shear));
+        const FluidProperties at_usual_shear =
+          material.properties(usual_shear * usual_shear);
+        fluid.density   = std::max(fluid.density, at_usual_shear.density);
+        fluid.viscosity = std::max(fluid.viscosity, at_usual_shear.viscosity);
       }
     measure_fluid(scene, bodies, samples, body_force);
     for (const auto &track : scene.postprocessors.tracked_places())
@@ -116,7 +116,8 @@ namespace seiche
         const SampledBody<dim> &body = samples[b];
         if (body.places.empty())
           continue;
-        mass += scene.materials[bodies[b].material].density * body.volume;
+        mass +=
+          scene.materials[bodies[b].material].properties().mass(body.volume);
         mass_is_exact  = mass_is_exact && body.is_whole;
         depth_is_exact = depth_is_exact && body.ends_at_box;
         bottom         = std::min(bottom, body.bottom);
@@ -153,6 +154,12 @@ namespace seiche
   }
 
   double
+  SceneScales::pressure_under(const double height) const
+  {
+    return fluid.density * gravity * height;
+  }
+
+  double
   SceneScales::fastest() const
   {
     return std::max({wave_speed(), speed, walls});
@@ -167,8 +174,9 @@ namespace seiche
   double
   SceneScales::creep_speed() const
   {
-    return viscosity > 0. ? density * gravity * depth * depth / viscosity :
-                            std::numeric_limits<double>::infinity();
+    return fluid.is_viscous() ?
+             gravity * depth * depth / fluid.kinematic_viscosity() :
+             std::numeric_limits<double>::infinity();
   }
 
   double
@@ -192,7 +200,7 @@ namespace seiche
     const double most = cells_in(end_time);
     if (most < surely_creeps && creep_speed() < gravity * end_time)
       return fmt::format("Fluid/Dynamic viscosity = {:.1g}",
-                         viscosity * cells_in(step) / surely_creeps);
+                         fluid.viscosity * cells_in(step) / surely_creeps);
     const double mover =
       std::max({speed, walls, std::min(wave_speed(), creep_speed())});
     return fmt::format("Time/Step = {:.1g}",
@@ -215,7 +223,7 @@ namespace seiche
       result += fmt::format("sqrt(g H) {:.{}g} m/s, rho g H {:.{}g} Pa",
                             wave_speed(),
                             digits,
-                            density * gravity * depth,
+                            pressure_under(depth),
                             digits);
     else
       result += "no body force at the start";
@@ -225,9 +233,9 @@ namespace seiche
       result += fmt::format(", Froude number {:.2g}", speed / wave_speed());
     if (walls > 0.)
       result += fmt::format("; walls move with up to {:.3g} m/s", walls);
-    if (viscosity > 0. && fastest() > 0.)
+    if (fluid.is_viscous() && fastest() > 0.)
       result += fmt::format("; Reynolds number {:.2g}",
-                            density * fastest() * depth / viscosity);
+                            fastest() * depth / fluid.kinematic_viscosity());
     if (fastest() > 0.)
       result += fmt::format("; in {} {:.3g} s {:.2g} cells",
                             is_fixed ? "steps of" : "the largest step,",
@@ -263,7 +271,7 @@ namespace seiche
         "may help: {}",
         cells_in(step),
         entry_for_motion()));
-    const double weight = density * gravity * tallest_body;
+    const double weight = pressure_under(tallest_body);
     if (modulus < softest * weight)
       result.push_back(fmt::format(
         "the fluid is compressed by {:.2g} % under its own weight: Fluid/Bulk "
@@ -282,17 +290,19 @@ namespace seiche
   std::string
   SceneScales::doubt_of_sound() const
   {
-    const double cells = std::sqrt(modulus / density) * step / smallest_cell;
+    const double cells =
+      std::sqrt(modulus / fluid.density) * step / smallest_cell;
     if (is_mixed || cells <= stiffest)
       return "";
-    const double soft = density * std::pow(stiffest * smallest_cell / step, 2);
+    const double soft =
+      fluid.density * std::pow(stiffest * smallest_cell / step, 2);
     return fmt::format(
       "sound crosses {:.3g} cells in a step: above {:.0f} the irreducible form "
       "may gain energy where water meets; what may help: Formulation/Name = "
       "displacement-pressure, {}",
       cells,
       stiffest,
-      soft > softest * density * gravity * depth ?
+      soft > softest * pressure_under(depth) ?
         fmt::format("Fluid/Bulk modulus = {:.2g}", soft) :
         fmt::format("Time/Step = {:.2g}", step * stiffest / cells));
   }

@@ -10,12 +10,12 @@ namespace seiche
   using namespace dealii;
 
   template <int dim>
-  Assembler<dim>::Assembler(const Formulation<dim>   &equations,
-                            const CellMaterials<dim> &cell_materials,
-                            const BodyForce<dim>     &force,
-                            const Quadrature<dim>    &rule,
-                            const Fill<dim>          &grid_fill,
-                            TimerTree                &timer_tree)
+  Assembler<dim>::Assembler(const Formulation<dim> &equations,
+                            CellMaterials<dim>     &cell_materials,
+                            const BodyForce<dim>   &force,
+                            const Quadrature<dim>  &rule,
+                            const Fill<dim>        &grid_fill,
+                            TimerTree              &timer_tree)
     : formulation(equations)
     , materials(cell_materials)
     , quadrature(rule)
@@ -42,7 +42,10 @@ namespace seiche
     inertia_offset = &acceleration_offset;
     rate_offset    = &velocity_offset;
     projection     = nullptr;
-    find_viscosities(state);
+    if (form.is_viscous)
+      materials.update_viscosities(state.velocity_start);
+    else
+      materials.neglect_viscosities();
   }
 
   template <int dim>
@@ -81,7 +84,8 @@ namespace seiche
               add_face(matrix,
                        weak_form->ghost_coefficients(
                          {matrix.h,
-                          density(*face),
+                          materials.mean(face->lower, face->upper)
+                            .mass(std::pow(matrix.h, 3)),
                           ghost_tau(*face, size, degree),
                           face->fragment}));
             };
@@ -316,23 +320,17 @@ namespace seiche
 
   template <int dim>
   double
-  Assembler<dim>::density(const GhostFace &face) const
-  {
-    return 0.5 *
-           (materials.density(face.lower) + materials.density(face.upper));
-  }
-
-  template <int dim>
-  double
   Assembler<dim>::ghost_tau(const GhostFace   &face,
                             const double       size,
                             const unsigned int degree) const
   {
     if (!formulation.has_pressure())
       return 0.;
-    const double mu = 0.5 * (viscosity(face.lower) + viscosity(face.upper));
     return 1. / formulation.subscales->inverse_transient_tau(
-                  tau_arguments(size, degree, density(face), mu, /*force=*/0.));
+                  tau_arguments(size,
+                                degree,
+                                materials.mean(face.lower, face.upper),
+                                /*force=*/0.));
   }
 
   template class Assembler<2>;

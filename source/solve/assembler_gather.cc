@@ -17,10 +17,9 @@ namespace seiche
     data.geometry                  = occupancy.locator.geometry(cell);
     data.lumped                    = formulation.lumps_inertia;
     data.is_cut                    = fill.is_cut(cell);
-    data.density                   = materials.density(cell);
-    data.viscosity                 = viscosity(cell);
+    data.fluid                     = materials.mean(cell);
     data.extent_inertia =
-      data.density * fill.extent_moment(cell) * data.geometry.measure;
+      data.fluid.mass(fill.extent_moment(cell)) * data.geometry.measure;
     quadrature.get(cell, data.quadrature);
 
     const auto nodes = occupancy.template unknowns<degree>(cell);

@@ -50,14 +50,14 @@ namespace seiche
     kept                              = false;
     const StepCoefficients &c         = assembler.coefficients();
     const Occupancy<dim>   &occupancy = matrix->occupancy;
-    const double            viscosity = assembler.largest_viscosity();
-    const double inertia = assembler.materials.largest_density() * c.inertia;
-    const double h       = occupancy.smallest_extent();
-    const double bulk =
+    const FluidProperties  &fluid     = assembler.materials.largest();
+    const double            h         = occupancy.smallest_extent();
+    const double            bulk =
       matrix->has_pressure() ?
-        assembler.reference_tau(h, assembler.body_force_scale()).continuity :
-        assembler.formulation.volume_law.bulk_modulus;
-    initialize_velocity((2. * viscosity * c.rate + bulk) / (inertia * h * h),
+                   assembler.reference_tau(h, assembler.body_force_scale()).continuity :
+                   assembler.formulation.volume_law.bulk_modulus;
+    initialize_velocity((fluid.stiffness(c.rate) + bulk) /
+                          (fluid.inertia(c.inertia) * h * h),
                         c.inertia);
     if (!matrix->has_pressure())
       return;

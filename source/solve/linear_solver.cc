@@ -143,8 +143,9 @@ namespace seiche
     matrix                          = &system_matrix;
     mass                            = &node_mass;
     const Occupancy<dim> &occupancy = matrix->occupancy;
-    row_scale                       = assembler.materials.largest_density() *
-                assembler.coefficients().inertia * occupancy.smallest_extent();
+    row_scale =
+      assembler.materials.largest().inertia(assembler.coefficients().inertia) *
+      occupancy.smallest_extent();
     preconditioner.pressure_row_scale = row_scale;
 
     const types::global_dof_index unknowns =

@@ -115,7 +115,7 @@ namespace seiche
     Norms          result;
     result.momentum = std::sqrt(Utilities::MPI::sum(force, communicator));
     result.volume   = std::sqrt(Utilities::MPI::sum(volume, communicator)) /
-                    system.assembler.materials.largest_density();
+                    system.assembler.materials.largest().density;
     return result;
   }
 

@@ -87,7 +87,7 @@ namespace seiche
         return false;
       }
     const double scale =
-      1. / (assembler.materials.largest_density() *
+      1. / (assembler.materials.largest().density *
             assembler.reference_tau(h, /*force=*/0.).momentum);
     const std::vector<double> surface = surface_term(c.inertia);
     if (method.factorises_small &&

@@ -109,8 +109,7 @@ namespace seiche
         const double       factor =
           (fill.is_cut(lower) || fill.is_cut(upper) ? ghost_factor :
                                                       inner_factor) *
-          0.5 * (materials.density(lower) + materials.density(upper)) *
-          std::pow(face_matrix.h, 3);
+          materials.mean(lower, upper).mass(std::pow(face_matrix.h, 3));
         Block block;
         block.nodes.assign(face_matrix.nodes, face_matrix.nodes + n);
         for (unsigned int a = 0; a < n; ++a)

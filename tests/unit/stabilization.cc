@@ -25,8 +25,13 @@ namespace
     step.inertia = 2. / (dt * dt);
     step.rate    = 1. / dt;
     return seiche::Stabilization(parameters)
-      .evaluate(
-        {step, density, bulk_modulus, /*viscosity=*/0., h, 1, /*speed=*/0., g});
+      .evaluate({step,
+                 {density, /*viscosity=*/0.},
+                 bulk_modulus,
+                 h,
+                 1,
+                 /*speed=*/0.,
+                 g});
   }
 
   void

@@ -59,8 +59,7 @@ namespace
     cell.coefficients.rate    = 1. / dt;
     cell.lumped               = lumped;
     cell.start_speed          = 1.3;
-    cell.density              = material.density;
-    cell.viscosity            = material.law->viscosity(1.);
+    cell.fluid                = material.properties(1.);
     dealii::Point<dim> upper;
     for (unsigned int d = 0; d < dim; ++d)
       {

@@ -34,8 +34,7 @@ namespace seiche
     bool              lumped      = false; ///< inertia at the nodes
     bool              is_cut      = false; ///< by the free surface
     double            start_speed = 0.;    ///< |v_0| at the centre [m/s]
-    double            density = 0.; ///< mean of the cell's materials [kg/m^3]
-    double viscosity      = 0.; ///< their mean at the start of the step [Pa s]
+    FluidProperties   fluid;    ///< means of the cell at the step's start
     double extent_inertia = 0.; ///< of the points' own extent [kg], see
                                 ///< formulation/point_inertia_term.h
     CellQuadrature<dim> quadrature;

@@ -72,9 +72,8 @@ namespace seiche
       if (!has_pressure())
         return;
       cell.tau            = subscales->evaluate({cell.coefficients,
-                                                 cell.density,
+                                                 cell.fluid,
                                                  volume_law.bulk_modulus,
-                                                 cell.viscosity,
                                                  cell.geometry.size(),
                                                  degree,
                                                  cell.start_speed,
@@ -82,12 +81,13 @@ namespace seiche
       cell.residual_parts = subscales->residual_parts(cell.orthogonal);
     }
 
-    /// Columns of the points that others define: the pressure by the volume
-    /// ratio, where it is no unknown; else the volume ratio by the pressure, if
-    /// @p volume_from_pressure. Local.
+    /// Pressures of the points by their volume ratios. Local.
     void
-    update_points(PointCloud<dim> &points,
-                  const bool       volume_from_pressure) const;
+    update_pressures(PointCloud<dim> &points) const;
+
+    /// Volume ratios of the points by their pressures. Local.
+    void
+    update_volume_ratios(PointCloud<dim> &points) const;
   };
 
   /// A row of the table of formulations, chosen by its name.

@@ -35,7 +35,7 @@ namespace seiche
     void
     add_ghost(const GhostFaceData &face, GhostCoefficients &sums) const
     {
-      sums.acceleration += gamma * face.density * face.h * face.h * face.h;
+      sums.acceleration += gamma * face.mass;
     }
   };
 
@@ -67,7 +67,7 @@ namespace seiche
     add_ghost(const GhostFaceData &face, GhostCoefficients &sums) const
     {
       if (face.is_fragment)
-        sums.velocity += gamma * face.density * face.h * face.h * face.h / time;
+        sums.velocity += gamma * face.mass / time;
     }
   };
 } // namespace seiche

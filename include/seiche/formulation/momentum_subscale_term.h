@@ -183,7 +183,7 @@ namespace seiche
     {
       constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
       Lanes                  derivative[dim][dim][n_nodes];
-      stress_divergence_derivative(state, fine * cell.viscosity, derivative);
+      stress_divergence_derivative(state, fine, derivative);
       for (unsigned int k = 0; k < dim; ++k)
         for (unsigned int i = 0; i < dim; ++i)
           for (unsigned int a = 0; a < n_nodes; ++a)

@@ -3,7 +3,7 @@
 #define seiche_formulation_point_state_h
 
 #include <seiche/formulation/point_kinematics.h>
-#include <seiche/formulation/viscous_stress.h>
+#include <seiche/materials/viscous_stress.h>
 
 namespace seiche
 {

@@ -3,6 +3,7 @@
 #define seiche_formulation_stabilization_h
 
 #include <seiche/grid/time_scheme.h>
+#include <seiche/materials/material.h>
 
 #include <string>
 
@@ -26,9 +27,8 @@ namespace seiche
   struct TauArguments
   {
     const StepCoefficients &step;
-    double                  density;      ///< [kg/m^3]
+    FluidProperties         fluid;
     double                  bulk_modulus; ///< [Pa]
-    double                  viscosity;    ///< [Pa s]
     double                  h;            ///< cell size [m]
     unsigned int            degree;
     double                  speed;      ///< at the cell's centre [m/s]

@@ -27,11 +27,11 @@ namespace seiche
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
         state.stress_divergence[i] +=
-          cell.viscosity * (v[i][j][j] + v[j][i][j] / 3.);
+          cell.fluid.viscosity * (v[i][j][j] + v[j][i][j] / 3.);
     state.r += state.stress_divergence;
   }
 
-  /// d(div s)_i for du = N_b e_k over mu, times @p factor, into
+  /// d(div s)_i for du = N_b e_k, times @p factor, into
   /// derivative[i][k][b] (doc/theory.md (4.7e)), after add_stress_divergence().
   template <int dim, int degree>
   void
@@ -40,6 +40,7 @@ namespace seiche
     const Lanes                    factor,
     Lanes (&derivative)[dim][dim][PointState<dim, degree>::n_nodes])
   {
+    const Lanes  mu    = factor * state.cell.fluid.viscosity;
     const double theta = state.cell.coefficients.theta;
     const double rate  = state.cell.coefficients.rate;
     const auto  &l     = state.velocity_gradient;
@@ -63,7 +64,7 @@ namespace seiche
                                   (l[j][k] * h[j][i][b] + v[j][k][i] * g[j][b] +
                                    v[j][j][k] * g[i][b]) /
                                     3.);
-              derivative[i][k][b] = factor * value;
+              derivative[i][k][b] = mu * value;
             }
       }
   }

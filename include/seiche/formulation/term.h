@@ -19,7 +19,7 @@ namespace seiche
     // what the list needs at the points and from the cell
     static constexpr bool has_pressure   = false;
     static constexpr bool has_body_force = false;
-    static constexpr bool has_viscosity  = false;
+    static constexpr bool is_viscous     = false;
 
     /// True if evaluate() reads PointState::velocity_gradient.
     template <int dim, int degree>

@@ -16,7 +16,7 @@ namespace seiche
   public:
     explicit TermList(const Terms &...list)
       : WeakForm<dim>((Terms::has_body_force || ...),
-                      (Terms::has_viscosity || ...),
+                      (Terms::is_viscous || ...),
                       (list.acts_on_faces() || ...))
       , terms(list...)
     {}

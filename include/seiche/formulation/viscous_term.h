@@ -11,7 +11,7 @@ namespace seiche
   /// FE_Q(2) div s in r (4.4).
   struct ViscousTerm : Term
   {
-    static constexpr bool has_viscosity = true;
+    static constexpr bool is_viscous = true;
 
     /// Ratio of viscous forces to inertia in a cell, mu c_r/(rho C_a h^2),
     /// below which the tangent leaves viscous terms out (doc/theory.md (10.3)).
@@ -25,23 +25,23 @@ namespace seiche
     {
       const StepCoefficients &step = cell.coefficients;
       const double            h    = cell.geometry.shortest_edge() / degree;
-      return cell.viscosity > 0. &&
-             cell.viscosity * step.rate >=
-               negligible * cell.density * step.inertia * h * h;
+      return cell.fluid.is_viscous() &&
+             0.5 * cell.fluid.stiffness(step.rate) >=
+               negligible * cell.fluid.inertia(step.inertia) * h * h;
     }
 
     template <int dim, int degree>
     bool
     needs_velocity_gradient(const CellData<dim, degree> &cell) const
     {
-      return cell.viscosity > 0.;
+      return cell.fluid.is_viscous();
     }
 
     template <int dim, int degree>
     void
     evaluate(PointState<dim, degree> &state) const
     {
-      if (!(state.cell.viscosity > 0.))
+      if (!state.cell.fluid.is_viscous())
         return;
       state.viscous.evaluate(*state.material.law, state.velocity_gradient);
       if constexpr (degree > 1)
@@ -54,7 +54,7 @@ namespace seiche
     add_residual(const PointState<dim, degree> &state,
                  PointForces<dim>              &forces) const
     {
-      if (state.cell.viscosity > 0.)
+      if (state.cell.fluid.is_viscous())
         forces.stress += state.volume_t * state.viscous.stress();
     }
 
@@ -74,7 +74,7 @@ namespace seiche
       const auto &viscous = state.viscous;
       const auto &g       = state.point.gradient_t;
       const auto  m =
-        rate_of_increment(state, viscous.viscosity.value * state.volume_t);
+        rate_of_increment(state, viscous.mu.value * state.volume_t);
       Lanes rate[dim][state.n_nodes];
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int a = 0; a < state.n_nodes; ++a)
@@ -90,8 +90,7 @@ namespace seiche
       if (viscous.has_slope)
         add_thinning(state,
                      rate_of_increment(state,
-                                       2. * viscous.viscosity.slope *
-                                         state.volume_t),
+                                       2. * viscous.mu.slope * state.volume_t),
                      cell);
     }
 

@@ -10,7 +10,7 @@ namespace seiche
   struct GhostFaceData
   {
     double h;           ///< mean edge length along the normal [m]
-    double density;     ///< [kg/m^3]
+    double mass;        ///< rho h^3 [kg]
     double tau;         ///< transient tau1 [m^4/N], with a pressure
     bool   is_fragment; ///< GhostFace::fragment
   };
@@ -37,10 +37,10 @@ namespace seiche
   {
   public:
     WeakForm(const bool has_body_force,
-             const bool has_viscosity,
+             const bool is_viscous,
              const bool acts_on_faces)
       : has_body_force(has_body_force)
-      , has_viscosity(has_viscosity)
+      , is_viscous(is_viscous)
       , acts_on_faces(acts_on_faces)
     {}
 
@@ -63,7 +63,7 @@ namespace seiche
     ghost_coefficients(const GhostFaceData &face) const = 0;
 
     const bool has_body_force;
-    const bool has_viscosity;
+    const bool is_viscous;
     const bool acts_on_faces; ///< ghost_coefficients() are not all zero
   };
 } // namespace seiche

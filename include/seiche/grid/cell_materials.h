@@ -26,9 +26,23 @@ namespace seiche
     CellMaterials(const std::vector<Material> &materials,
                   const Occupancy<dim>        &occupancy);
 
-    /// After all occupied cells are known. Collective.
+    /// After all occupied cells are known; viscosities count as zero until
+    /// they are updated. Collective.
     void
     update(const PointCloud<dim> &points);
+
+    /// Viscosities of the means from now on: at the shear rates that this field
+    /// has at the centres of the cells. Collective if they differ.
+    void
+    update_viscosities(const Vector &velocity);
+
+    /// They are zero from now on: for equations without viscous terms.
+    void
+    neglect_viscosities()
+    {
+      viscosities.clear();
+      bound.viscosity = 0.;
+    }
 
     /// Columns that the points need beyond the always present ones.
     static std::set<PointColumn>
@@ -78,44 +92,43 @@ namespace seiche
       return volumes[material][cell] / totals[cell];
     }
 
-    /// Mean density [kg/m^3] of an occupied own or ghost cell.
-    double
-    density(const unsigned int cell) const
+    /// Means of an occupied own or ghost cell.
+    FluidProperties
+    mean(const unsigned int cell) const
     {
-      return are_several() ? densities[cell] : materials[0].density;
+      return {densities.empty() ? bound.density : densities[cell],
+              viscosities.empty() ? bound.viscosity : viscosities[cell]};
     }
 
-    /// Mean density [kg/m^3] of the occupied cells at an own node.
-    double
-    density_of_node(const unsigned int node) const
+    /// Means of two cells.
+    FluidProperties
+    mean(const unsigned int lower, const unsigned int upper) const
     {
-      return are_several() ? node_density.local_element(node) :
-                             materials[0].density;
+      const FluidProperties a = mean(lower), b = mean(upper);
+      return {0.5 * (a.density + b.density), 0.5 * (a.viscosity + b.viscosity)};
     }
 
-    /// Mean viscosity [Pa s] of an own occupied cell at a shear rate,
-    /// @p gamma_square [1/s^2].
-    double
-    viscosity(const unsigned int cell, const double gamma_square) const;
+    /// The largest of all materials or cells.
+    const FluidProperties &
+    largest() const
+    {
+      return bound;
+    }
 
-    /// True if the viscosity of a cell does not depend on the shear rate.
+    /// True if all cells have the same means. Local.
     bool
-    has_constant_viscosity() const
+    are_uniform() const
     {
-      return constant_viscosity;
+      return densities.empty() && viscosities.empty();
     }
 
-    /// True if none has a viscosity.
-    bool
-    are_inviscid() const
-    {
-      return inviscid;
-    }
-
+    /// Of an own node with this mass [kg], by the mean density of the occupied
+    /// cells there [m^dim].
     double
-    largest_density() const
+    volume_of_node(const unsigned int node, const double mass) const
     {
-      return heaviest;
+      return mass /
+             (are_several() ? node_density.local_element(node) : bound.density);
     }
 
   private:
@@ -124,16 +137,18 @@ namespace seiche
     void
     fill_empty_cells();
 
-    double &
-    volume(const unsigned int material, const unsigned int cell)
-    {
-      return volumes[material][cell];
-    }
+    /// Mean [Pa s] of an own occupied cell at a shear rate.
+    double
+    viscosity(const unsigned int cell, const double gamma_square) const;
+    /// gamma^2 [1/s^2] of a velocity in its centre.
+    double
+    shear_in(const unsigned int cell, const Vector &velocity) const;
 
     const std::vector<Material> &materials;
     const Occupancy<dim>        &occupancy;
-    bool                         constant_viscosity = true, inviscid = true;
-    double                       heaviest = 0.; // [kg/m^3]
+    bool                         is_newtonian = true; // all
+    FluidProperties              bound;
+    std::vector<double>          viscosities; // [cell], if they differ
 
     // with several materials
     std::vector<std::vector<double>> volumes; // [material][cell] of points

@@ -71,12 +71,6 @@ namespace seiche
       return at(Lanes(gamma_square)).value[0];
     }
 
-    bool
-    is_inviscid() const
-    {
-      return scale == 0.;
-    }
-
     const bool is_constant;
 
     /// The entry "Dynamic viscosity": mu [Pa s], or what a law makes of it.

@@ -73,6 +73,10 @@ namespace seiche
     double
     wave_speed() const;
 
+    /// rho g of this height of fluid [Pa].
+    double
+    pressure_under(const double height) const;
+
     /// Of the fluid at the start, of waves and of walls [m/s].
     double
     fastest() const;
@@ -90,15 +94,14 @@ namespace seiche
     std::string
     doubt_of_sound() const;
 
-    double density         = 0.;   ///< [kg/m^3]
-    double viscosity       = 0.;   ///< [Pa s]
-    double modulus         = 0.;   ///< kappa [Pa], infinity allowed
-    bool   is_mixed        = true; ///< or the irreducible form
-    double step            = 0.;   ///< [s]
-    bool   is_fixed        = true; ///< or the largest step
-    double end_time        = 0.;   ///< [s]
-    double smallest_cell   = 0.;   ///< edge [m]
-    double smallest_height = 0.;   ///< smallest vertical edge [m]
+    FluidProperties fluid;                  ///< largest of the materials
+    double          modulus         = 0.;   ///< kappa [Pa], infinity allowed
+    bool            is_mixed        = true; ///< or the irreducible form
+    double          step            = 0.;   ///< [s]
+    bool            is_fixed        = true; ///< or the largest step
+    double          end_time        = 0.;   ///< [s]
+    double          smallest_cell   = 0.;   ///< edge [m]
+    double          smallest_height = 0.;   ///< smallest vertical edge [m]
 
     double mass           = 0.; ///< [kg]
     bool   mass_is_exact  = true;

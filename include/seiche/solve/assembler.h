@@ -26,12 +26,12 @@ namespace seiche
     using Vector      = typename GridState<dim>::Vector;
     using BlockVector = typename GridState<dim>::BlockVector;
 
-    Assembler(const Formulation<dim>   &formulation,
-              const CellMaterials<dim> &materials,
-              const BodyForce<dim>     &body_force,
-              const Quadrature<dim>    &quadrature,
-              const Fill<dim>          &fill,
-              TimerTree                &timer);
+    Assembler(const Formulation<dim> &formulation,
+              CellMaterials<dim>     &materials,
+              const BodyForce<dim>   &body_force,
+              const Quadrature<dim>  &quadrature,
+              const Fill<dim>        &fill,
+              TimerTree              &timer);
 
     /// Terms (of the formulation), scalars of the step, its start (time and
     /// velocity) and the nodal offsets of acceleration and velocity
@@ -80,25 +80,14 @@ namespace seiche
       return step;
     }
 
-    /// Viscosity [Pa s] of an occupied cell, own or ghost, that acts in the
-    /// step: that of the start velocity in its centre.
-    double
-    viscosity(const unsigned int cell) const
-    {
-      return viscosities.empty() ? viscosity_everywhere : viscosities[cell];
-    }
-
-    /// The largest of all cells [Pa s].
-    double
-    largest_viscosity() const
-    {
-      return viscosity_everywhere;
-    }
-
     /// tau, with subscales, of a cell of this size [m] under a body force
     /// [m/s^2], speed zero, with the largest density and viscosity.
     Tau
-    reference_tau(const double size, const double force) const;
+    reference_tau(const double size, const double force) const
+    {
+      return formulation.subscales->evaluate(
+        tau_arguments(size, occupancy.fe.degree, materials.largest(), force));
+    }
 
     /// True if rho tau1 is about the same in all cells: the pressure block is
     /// then a scaled copy of the Schur complement. Collective.
@@ -115,8 +104,9 @@ namespace seiche
     double
     body_force_scale() const;
 
-    const Formulation<dim>   &formulation;
-    const CellMaterials<dim> &materials;
+    const Formulation<dim> &formulation;
+    /// Viscosities of the start velocity, if the terms are viscous.
+    CellMaterials<dim> &materials;
 
   private:
     void
@@ -132,10 +122,6 @@ namespace seiche
                 const GridState<dim> &state,
                 StepBalance<dim>     &balance);
 
-    /// Mean of the cells at a face [kg/m^3].
-    double
-    density(const GhostFace &face) const;
-
     /// tau1 [m^4/N] of the pressure's ghost penalty on a face: the transient
     /// one for every choice of the subscales' tau, which may be infinite or
     /// zero.
@@ -144,24 +130,15 @@ namespace seiche
               const double       size,
               const unsigned int degree) const;
 
-    template <int degree>
-    double
-    start_viscosity(const unsigned int cell, const GridState<dim> &state) const;
-    /// Collective if they differ.
-    void
-    find_viscosities(const GridState<dim> &state);
-
     TauArguments
-    tau_arguments(const double       size,
-                  const unsigned int degree,
-                  const double       density,
-                  const double       viscosity,
-                  const double       force) const
+    tau_arguments(const double           size,
+                  const unsigned int     degree,
+                  const FluidProperties &fluid,
+                  const double           force) const
     {
       return {step,
-              density,
+              fluid,
               formulation.volume_law.bulk_modulus,
-              viscosity,
               size,
               degree,
               /*speed=*/0.,
@@ -238,8 +215,6 @@ namespace seiche
     const BlockVector     *projection     = nullptr;
     const bool             needs_start_speed; // tau does
     StepCoefficients       step;
-    std::vector<double>    viscosities; // of the cells, if they differ [Pa s]
-    double viscosity_everywhere = 0.;   // or the largest of them [Pa s]
 
     std::tuple<CellData<dim, 1>, CellData<dim, 2>> workspace; // of one cell
   };

@@ -3,9 +3,8 @@
 #define seiche_solve_edge_pressure_h
 
 #include <seiche/algebra/cell_matrix.h>
+#include <seiche/space/line_matrices.h>
 #include <seiche/space/occupancy.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 namespace seiche
 {
@@ -81,26 +80,11 @@ namespace seiche
             double mass = geometry.measure / geometry.edges[d];
             for (unsigned int c = 0; c < dim; ++c)
               if (c != d)
-                mass *=
-                  line_mass(Shape::line_index(a, c), Shape::line_index(b, c));
+                mass *= line_mass[degree - 1][Shape::line_index(a, c)]
+                                 [Shape::line_index(b, c)];
             for (unsigned int i = 0; i < dim; ++i)
               G[i][a][b] += mass * direction[i];
           }
-    }
-
-    /// int_0^1 N_i N_j.
-    static double
-    line_mass(const unsigned int i, const unsigned int j)
-    {
-      static const dealii::QGauss<1> quadrature(degree + 1);
-      double                         result = 0.;
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
-        {
-          double N[degree + 1];
-          Shape::line_values(quadrature.point(q)[0], N);
-          result += quadrature.weight(q) * N[i] * N[j];
-        }
-      return result;
     }
 
     double G[dim][n_nodes][n_nodes] = {};

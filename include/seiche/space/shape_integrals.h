@@ -4,6 +4,7 @@
 
 #include <seiche/space/occupancy.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace seiche
@@ -16,23 +17,74 @@ namespace seiche
   const std::vector<double> &
   hat_integrals(const unsigned int degree);
 
-  /**
-   * Add a cell's integrals of the products of @p line over its volume, or over
-   * a @p face (numbers::invalid_unsigned_int: none), to the nodes that are
-   * unknowns: V and A of doc/theory.md (8.2), the integrals of (8.0b).
-   */
+  /// Add the products of factor(direction, place on the line) of a cell's nodes
+  /// to those that are unknowns.
+  template <int dim, typename Factor>
+  void
+  add_products(const Occupancy<dim>            &occupancy,
+               const unsigned int               cell,
+               const Factor                    &factor,
+               typename Occupancy<dim>::Vector &result)
+  {
+    double products[HangingNodes<dim>::max_nodes];
+    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+      {
+        products[a] = 1.;
+        for (unsigned int d = 0; d < dim; ++d)
+          products[a] *= factor(d, line_index<dim>(occupancy.fe.degree, a, d));
+      }
+    occupancy.condense(cell, products);
+    for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
+      result.local_element(occupancy.cell_nodes(cell)[a]) += products[a];
+  }
+
+  /// Add the integrals of the products of @p line over a cell: V of
+  /// doc/theory.md (8.2), the integrals of (8.0b).
   template <int dim>
   void
-  add_integrals(const Occupancy<dim>            &occupancy,
-                const unsigned int               cell,
-                const std::vector<double>       &line,
-                const unsigned int               face,
-                typename Occupancy<dim>::Vector &result);
+  add_volume_integrals(const Occupancy<dim>            &occupancy,
+                       const unsigned int               cell,
+                       const std::vector<double>       &line,
+                       typename Occupancy<dim>::Vector &result)
+  {
+    const auto extent = occupancy.locator.geometry(cell).edges;
+    const auto factor = [&](const unsigned int d, const unsigned int place) {
+      return extent[d] * line[place];
+    };
+    add_products(occupancy, cell, factor, result);
+  }
+
+  /// The same over a face: A of (8.2).
+  template <int dim>
+  void
+  add_area_integrals(const Occupancy<dim>            &occupancy,
+                     const unsigned int               cell,
+                     const BoxFace                    face,
+                     const std::vector<double>       &line,
+                     typename Occupancy<dim>::Vector &result)
+  {
+    const auto         extent = occupancy.locator.geometry(cell).edges;
+    const unsigned int plane  = face.is_upper() ? occupancy.fe.degree : 0;
+    const auto factor = [&](const unsigned int d, const unsigned int place) {
+      return d != face.direction() ? extent[d] * line[place] :
+                                     double(place == plane);
+    };
+    add_products(occupancy, cell, factor, result);
+  }
 
   /// True if a node of the cell lies on a wall.
   template <int dim>
   bool
-  touches_wall(const Occupancy<dim> &occupancy, const unsigned int cell);
+  touches_wall(const Occupancy<dim> &occupancy, const unsigned int cell)
+  {
+    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    return std::any_of(nodes,
+                       nodes + occupancy.nodes_per_cell(),
+                       [&](const unsigned int node) {
+                         return occupancy.constraints.wall_components(node) !=
+                                0;
+                       });
+  }
 } // namespace seiche
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_formulation_viscous_stress_h
-#define seiche_formulation_viscous_stress_h
+#ifndef seiche_materials_viscous_stress_h
+#define seiche_materials_viscous_stress_h
 
 #include <seiche/materials/viscosity_law.h>
 
@@ -46,7 +46,7 @@ namespace seiche
   struct ViscousStress
   {
     dealii::Tensor<2, dim, Lanes> e; ///< [1/s]
-    Viscosity                     viscosity;
+    Viscosity                     mu;
 
     /// False if the derivative is ds = mu de.
     bool has_slope = false;
@@ -58,10 +58,10 @@ namespace seiche
       e = shear_rate(velocity_gradient);
       if (law.is_constant)
         {
-          viscosity.value = law.scale;
+          mu.value = law.scale;
           return;
         }
-      viscosity = law.at(gamma_square(e));
+      mu        = law.at(gamma_square(e));
       has_slope = true;
     }
 
@@ -69,7 +69,7 @@ namespace seiche
     dealii::Tensor<2, dim, Lanes>
     stress() const
     {
-      return viscosity.value * e;
+      return mu.value * e;
     }
   };
 } // namespace seiche
