@@ -15,6 +15,24 @@
 
 namespace seiche
 {
+  namespace
+  {
+    /// What orthogonal subscales project.
+    template <int dim>
+    auto
+    make_residual_moments(const StabilizationParameters &stabilization,
+                          const VolumeConstraintTerm    &constraint)
+    {
+      return make_weak_form<dim>(Strong(InertiaTerm()),
+                                 Strong(BodyForceTerm()),
+                                 Strong(ViscousTerm()),
+                                 Strong(PressureTerm()),
+                                 Strong(constraint),
+                                 ResidualMomentsTerm(
+                                   stabilization.projects_lumped()));
+    }
+  } // namespace
+
   template <int dim>
   Formulation<dim>
   make_displacement_pressure(const FormulationParameters &parameters,

@@ -10,7 +10,7 @@ namespace seiche
 {
   /**
    * @brief Frees the nodes on convex edges of obstacles from the faces that
-   * have no fluid at them (doc/theory.md, section 8, dry edges).
+   * have no fluid at them (doc/theory.md, section 8, convex edges).
    *
    * A node on an edge belongs to two faces (in a corner to three). Fixed by
    * all of them it turns back the water that climbs one face or passes the
