@@ -94,13 +94,7 @@ namespace seiche
 
     if (parameters.stabilization.is_orthogonal())
       result.residual_moments =
-        make_weak_form<dim>(Strong(inertia),
-                            Strong(body_force),
-                            Strong(viscous),
-                            Strong(pressure),
-                            Strong(constraint),
-                            ResidualMomentsTerm(
-                              parameters.stabilization.projects_lumped()));
+        make_residual_moments<dim>(parameters.stabilization, constraint);
     return result;
   }
 
