@@ -4,7 +4,8 @@
 // an oblique normal; that it is a unit vector into the fluid with which the
 // fluxes through the two faces cancel, and P takes it out; that water at rest
 // stays at rest there and its weight arrives at the walls; that the tangent is
-// the derivative of the residual; nothing of this in the irreducible form.
+// the derivative of the residual, also where cells of two sizes meet at an
+// edge; nothing of this in the irreducible form.
 #include <seiche/grid/convex_edges.h>
 
 #include "problem_from_text.h"
@@ -38,22 +39,36 @@ namespace
     return text;
   }
 
-  /// A block of 2 cells in the middle of a full tank of 6, open at the top.
+  /// A block of 2 cells in the middle of a full tank of 6, open at the top;
+  /// @p refined: cells of half the size from the middle to the right.
   template <int dim>
   std::string
-  scene()
+  scene(const bool refined)
   {
-    return "subsection Walls\n set Top = open\nend\nsubsection Grid\n set Lower corner = " +
-           at<dim>(0.) + "\n set Upper corner = " + at<dim>(6.) +
-           "\n set Cells x = 6\n set Cells y = 6" +
-           (dim == 3 ? "\n set Cells z = 6" : "") +
-           "\nend\nsubsection Obstacle block\n set Condition = slip"
-           "\n set Lower corner = " +
-           at<dim>(2.) + "\n set Upper corner = " + at<dim>(4.) +
-           "\nend\nsubsection Body force\n set Acceleration = " +
-           (dim == 2 ? "0; -10" : "0; 0; -10") +
-           "\nend\nsubsection Fluid body a\n set Lower corner = " +
-           at<dim>(0.) + "\n set Upper corner = " + at<dim>(6.) + "\nend\n";
+    const std::string cells[] = {"\n set Cells x = 6",
+                                 "\n set Cells y = 6",
+                                 "\n set Cells z = 6"};
+    std::string       text =
+      "subsection Walls\n set Top = open\nend\nsubsection Grid";
+    for (unsigned int d = 0; d < dim; ++d)
+      text += cells[d];
+    text +=
+      "\n set Lower corner = " + at<dim>(0.) +
+      "\n set Upper corner = " + at<dim>(6.) +
+      "\nend\nsubsection Obstacle block\n set Condition = slip"
+      "\n set Lower corner = " +
+      at<dim>(2.) + "\n set Upper corner = " + at<dim>(4.) +
+      "\nend\nsubsection Body force\n set Acceleration = " +
+      (dim == 2 ? "0; -10" : "0; 0; -10") +
+      "\nend\nsubsection Fluid body a\n set Lower corner = " + at<dim>(0.) +
+      "\n set Upper corner = " + at<dim>(6.) + "\nend\n";
+    if (refined)
+      text += "subsection Refinement fluid\n set Criterion = fluid\n"
+              "set Level = 0\nend\n"
+              "subsection Refinement right\n set Criterion = box\n"
+              "set Level = 1\n set Lower corner = " +
+              at<dim>(3.) + "\n set Upper corner = " + at<dim>(6.) + "\nend\n";
+    return text;
   }
 
   template <int dim>
@@ -63,8 +78,8 @@ namespace
     using Vector      = typename GridState<dim>::Vector;
     using BlockVector = typename GridState<dim>::BlockVector;
 
-    Test()
-      : ProblemFromText<dim>(scene<dim>())
+    explicit Test(const bool refined)
+      : ProblemFromText<dim>(scene<dim>(refined))
     {
       this->find_cells();
       this->find_unknowns();
@@ -226,11 +241,15 @@ namespace
   void
   test()
   {
-    Test<dim> edges;
+    Test<dim> edges(/*refined=*/false);
     edges.print_normals();
     edges.print_rest();
     edges.print_tangent();
     edges.print_without_pressure();
+    print("with cells of two sizes:");
+    Test<dim> refined(/*refined=*/true);
+    refined.print_rest();
+    refined.print_tangent();
   }
 } // namespace
 

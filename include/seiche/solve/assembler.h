@@ -165,7 +165,7 @@ namespace seiche
     bool
     has_edge_pressure(const CellNodes &nodes) const
     {
-      return formulation.has_pressure() && nodes.matrix == nullptr &&
+      return formulation.has_pressure() &&
              occupancy.constraints.any_oblique(nodes);
     }
 

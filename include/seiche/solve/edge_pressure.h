@@ -32,13 +32,14 @@ namespace seiche
       const auto &constraints = occupancy.constraints;
       for (const BoxFace face : dealii::GeometryInfo<dim>::face_indices())
         if (occupancy.locator.closed_wall_at(cell, face) != nullptr)
-          for (unsigned int a = 0; a < n_nodes; ++a)
-            if (is_on_face<dim>(degree, a, face) &&
-                constraints.is_oblique(nodes[a]))
-              add_face(occupancy.locator.geometry(cell),
-                       face,
-                       a,
-                       constraints.oblique_normal(nodes[a]));
+          add_face(occupancy.locator.geometry(cell), face);
+      for (auto &component : G)
+        nodes.condense_matrix(component);
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        project(a,
+                constraints.is_oblique(nodes[a]) ?
+                  constraints.projector(nodes[a]) :
+                  dealii::Tensor<2, dim>());
     }
 
     /// @p force [N] += G p; both by node of the grid.
@@ -65,26 +66,36 @@ namespace seiche
 
   private:
     void
-    add_face(const CellGeometry<dim>      &geometry,
-             const BoxFace                 face,
-             const unsigned int            a,
-             const dealii::Tensor<1, dim> &normal)
+    add_face(const CellGeometry<dim> &geometry, const BoxFace face)
     {
-      const unsigned int           d = face.direction();
-      const dealii::Tensor<1, dim> direction =
-        face.outward() *
-        (dealii::Point<dim>::unit_vector(d) - normal[d] * normal);
+      const unsigned int d = face.direction();
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        for (unsigned int b = 0; b < n_nodes; ++b)
+          if (is_on_face<dim>(degree, a, face) &&
+              is_on_face<dim>(degree, b, face))
+            {
+              double mass =
+                face.outward() * geometry.measure / geometry.edges[d];
+              for (unsigned int c = 0; c < dim; ++c)
+                if (c != d)
+                  mass *= line_mass[degree - 1][Shape::line_index(a, c)]
+                                   [Shape::line_index(b, c)];
+              G[d][a][b] += mass;
+            }
+    }
+
+    void
+    project(const unsigned int a, const dealii::Tensor<2, dim> &P)
+    {
       for (unsigned int b = 0; b < n_nodes; ++b)
-        if (is_on_face<dim>(degree, b, face))
-          {
-            double mass = geometry.measure / geometry.edges[d];
-            for (unsigned int c = 0; c < dim; ++c)
-              if (c != d)
-                mass *= line_mass[degree - 1][Shape::line_index(a, c)]
-                                 [Shape::line_index(b, c)];
-            for (unsigned int i = 0; i < dim; ++i)
-              G[i][a][b] += mass * direction[i];
-          }
+        {
+          dealii::Tensor<1, dim> row;
+          for (unsigned int i = 0; i < dim; ++i)
+            row[i] = G[i][a][b];
+          row = P * row;
+          for (unsigned int i = 0; i < dim; ++i)
+            G[i][a][b] = row[i];
+        }
     }
 
     double G[dim][n_nodes][n_nodes] = {};
