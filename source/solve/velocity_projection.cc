@@ -13,6 +13,9 @@ namespace seiche
     /// Share of the solution at which the derivative of reactions is taken:
     /// their error is about its square, round-off over it.
     constexpr double reaction_share = 1e-5;
+
+    /// Of forces and volumes at work: what is less is no violation.
+    constexpr double round_off = 1e-14;
   } // namespace
 
   template <int dim>
@@ -21,6 +24,19 @@ namespace seiche
     : system(s)
     , tolerance(t)
   {}
+
+  template <int dim>
+  bool
+  VelocityProjection<dim>::is_round_off(const BlockVector    &violation,
+                                        const double          forces,
+                                        const GridState<dim> &state) const
+  {
+    const double volumes =
+      state.mass.l2_norm() / system.assembler.materials.largest().density;
+    return violation.block(0).l2_norm() <= round_off * forces &&
+           (violation.n_blocks() == 1 ||
+            violation.block(1).l2_norm() <= round_off * volumes);
+  }
 
   template <int dim>
   LinearResult
@@ -48,11 +64,16 @@ namespace seiche
     system.assembler.residual(state, right_hand_side);
     system.linearize(state);
     system.matrix.vmult(product, solution);
+    const double forces = right_hand_side.block(0).l2_norm();
     right_hand_side.sadd(-1., -1., product);
-    BlockVector        update(state.solution);
-    const LinearResult result =
-      system.solver.solve(update, right_hand_side, reduction);
-    solution += update;
+    LinearResult result;
+    result.converged = is_round_off(right_hand_side, forces, state);
+    if (!result.converged)
+      {
+        BlockVector update(state.solution);
+        result = system.solver.solve(update, right_hand_side, reduction);
+        solution += update;
+      }
     system.matrix.occupancy.constraints.for_each_fixed(
       [&](const auto &direction) {
         direction.set(solution.block(0), direction.of(state.displacement()));

@@ -52,6 +52,13 @@ namespace seiche
     using Vector      = typename GridState<dim>::Vector;
     using BlockVector = typename GridState<dim>::BlockVector;
 
+    /// True if there is nothing to solve for; @p forces: norm of what the
+    /// momentum's rows are the difference of [N].
+    bool
+    is_round_off(const BlockVector    &violation,
+                 const double          forces,
+                 const GridState<dim> &state) const;
+
     /// Solve the system that is linear about u = p = 0, starting from
     /// @p solution, until the residual has fallen by @p reduction. Components
     /// that walls fix keep their value.
