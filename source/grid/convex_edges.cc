@@ -47,7 +47,8 @@ namespace seiche
           has_fluid[node] = 1;
           if (occupancy.fe.degree > 1 &&
               occupancy.mesh_nodes.hanging.hangs(cell, a))
-            wet[node] = ~0u; // masters lie elsewhere: all stays fixed
+            // masters lie elsewhere: all stays fixed
+            wet[node] = concave[node] = ~0u;
           unsigned int of_cell = 0;
           for (const BoxFace face : GeometryInfo<dim>::face_indices())
             if (is_on_face<dim>(occupancy.fe.degree, a, face) &&
