@@ -168,7 +168,7 @@ namespace seiche
     for (const unsigned int cell : occupancy.occupied_cells())
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         const auto nodes = occupancy.template unknowns<degree>(cell);
-        if (has_edge_pressure(nodes))
+        if (occupancy.constraints.any_oblique(nodes))
           EdgePressure<dim, degree>(occupancy, cell)
             .add_force(nodes, state.pressure().begin(), force.begin());
       });
@@ -261,7 +261,7 @@ namespace seiche
             data.condense(unknowns);
           if (oblique)
             {
-              if (has_edge_pressure(unknowns))
+              if (formulation.has_pressure())
                 EdgePressure<dim, degree>(occupancy, cell).add_tangent(data);
               data.project(unknowns, occupancy.constraints);
             }

@@ -161,16 +161,8 @@ namespace seiche
     void
     gather_projection(const unsigned int cell);
 
-    template <typename CellNodes>
-    bool
-    has_edge_pressure(const CellNodes &nodes) const
-    {
-      return formulation.has_pressure() &&
-             occupancy.constraints.any_oblique(nodes);
-    }
-
-    /// Of all cells to the residual of the displacements, and to what walls
-    /// give the fluid. Collective.
+    /// EdgePressure of all cells to the residual of the displacements, and to
+    /// what walls give the fluid. Collective.
     void
     add_edge_pressure(GridState<dim> &state, Vector &residual) const;
 
