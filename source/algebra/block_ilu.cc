@@ -148,7 +148,7 @@ namespace seiche
   BlockILU<dim>::initialize(const BlockMatrix<dim> &matrix,
                             const double            diagonal_factor)
   {
-    const unsigned int n = matrix.occupancy.n_own_nodes();
+    const unsigned int n = matrix.occupancy.nodes.n_own();
     for (Triangle *triangle : {&lower, &upper})
       {
         triangle->begin.assign(1, 0);
@@ -243,7 +243,7 @@ namespace seiche
   double
   BlockILU<dim>::growth(const BlockMatrix<dim> &matrix) const
   {
-    Vector test(matrix.occupancy.vector_partitioner());
+    Vector test(matrix.occupancy.nodes.vector_partitioner());
     for (unsigned int i = 0; i < test.locally_owned_size(); ++i)
       test.local_element(i) = matrix.diagonal(i / dim, i % dim);
     vmult(test, test);

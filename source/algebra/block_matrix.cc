@@ -73,7 +73,7 @@ namespace seiche
     // and one number more, see Register
     displacement_columns.resize(n * dim * n_fields() + 1);
     pressure_column.resize(with_pressure ? n * n_fields() + 1 : 0);
-    empty.assign(occupancy.n_own_nodes(), 0);
+    empty.assign(occupancy.nodes.n_own(), 0);
     source.reinit(pattern.make_partitioner(n_fields()));
     if (with_pressure)
       pressure_source.reinit(pattern.make_partitioner(1));
@@ -269,7 +269,7 @@ namespace seiche
   void
   BlockMatrix<dim>::complete_diagonal()
   {
-    const unsigned int        n = n_fields(), n_own = occupancy.n_own_nodes();
+    const unsigned int        n = n_fields(), n_own = occupancy.nodes.n_own();
     std::vector<double>       largest(2, 0.); // displacement, pressure
     std::vector<unsigned int> incomplete;
     for (unsigned int node = 0; node < n_own; ++node)
@@ -286,7 +286,7 @@ namespace seiche
           incomplete.push_back(node);
       }
     const MPI_Comm communicator =
-      occupancy.scalar_partitioner()->get_mpi_communicator();
+      occupancy.nodes.partitioner()->get_mpi_communicator();
     Utilities::MPI::max(largest, communicator, largest);
     for (double &value : largest)
       if (value == 0.)
@@ -329,7 +329,7 @@ namespace seiche
   void
   BlockMatrix<dim>::vmult(BlockVector &dst, const BlockVector &src) const
   {
-    const unsigned int n = n_fields(), n_own = occupancy.n_own_nodes();
+    const unsigned int n = n_fields(), n_own = occupancy.nodes.n_own();
     double            *to = source.begin();
     const double      *u  = src.block(0).begin();
     if (with_pressure)
@@ -362,7 +362,7 @@ namespace seiche
     const double      *x     = source.begin();
     double            *u     = dst.block(0).begin();
     double            *p     = n_rows > dim ? dst.block(1).begin() : nullptr;
-    const unsigned int n_own = occupancy.n_own_nodes();
+    const unsigned int n_own = occupancy.nodes.n_own();
     for (unsigned int node = 0; node < n_own; ++node)
       {
         double sum[n_rows] = {};
@@ -402,7 +402,7 @@ namespace seiche
   BlockMatrix<dim>::gradient(Vector &force, const Vector &pressure) const
   {
     constexpr unsigned int n     = dim + 1;
-    const unsigned int     n_own = occupancy.n_own_nodes();
+    const unsigned int     n_own = occupancy.nodes.n_own();
     std::copy(pressure.begin(),
               pressure.begin() + n_own,
               pressure_source.begin());

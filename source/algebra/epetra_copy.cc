@@ -27,7 +27,7 @@ namespace seiche
       const NodePattern<dim> &pattern = matrix.sparsity();
       const bool square = rows.first == columns.first && rows.n == columns.n;
       Entries    result;
-      for (unsigned int node = 0; node < matrix.occupancy.n_own_nodes(); ++node)
+      for (unsigned int node = 0; node < matrix.occupancy.nodes.n_own(); ++node)
         for (unsigned int r = 0; r < rows.n; ++r)
           {
             const std::size_t before = result.columns.size();
@@ -64,8 +64,8 @@ namespace seiche
   {
     const NodePattern<dim> &pattern = matrix.sparsity();
     const Epetra_MpiComm    communicator(
-      matrix.occupancy.scalar_partitioner()->get_mpi_communicator());
-    const unsigned int n_own    = matrix.occupancy.n_own_nodes();
+      matrix.occupancy.nodes.partitioner()->get_mpi_communicator());
+    const unsigned int n_own    = matrix.occupancy.nodes.n_own();
     const auto         make_map = [&](const unsigned int n_nodes,
                               const unsigned int n_fields) {
       std::vector<int> indices;

@@ -19,13 +19,13 @@ namespace seiche
   bool
   NodePattern<dim>::reinit(const Fill<dim> &fill)
   {
-    const bool keep = numbering_generation == occupancy.generation() &&
+    const bool keep = numbering_generation == occupancy.nodes.generation() &&
                       covers(fill.ghost_faces());
     if (Utilities::MPI::min(
           keep ? 1 : 0,
-          occupancy.scalar_partitioner()->get_mpi_communicator()) == 1)
+          occupancy.nodes.partitioner()->get_mpi_communicator()) == 1)
       return false;
-    numbering_generation = occupancy.generation();
+    numbering_generation = occupancy.nodes.generation();
     collect_couplings(fill);
     exchange_couplings();
     build_tables();
@@ -36,7 +36,7 @@ namespace seiche
   bool
   NodePattern<dim>::covers(const std::vector<GhostFace> &faces) const
   {
-    const auto &cells = occupancy.occupied_cells();
+    const auto &cells = occupancy.cells.occupied();
     return std::all_of(cells.begin(),
                        cells.end(),
                        [&](const unsigned int cell) {
@@ -62,7 +62,7 @@ namespace seiche
                                const unsigned int direction) const
   {
     const auto &locator = occupancy.locator;
-    return locator.level(lower) >= locator.level(upper) ?
+    return locator.cells.level(lower) >= locator.cells.level(upper) ?
              lower * 2 * dim + BoxFace(direction, /*upper=*/true) :
              upper * 2 * dim + BoxFace(direction, /*upper=*/false);
   }
@@ -82,14 +82,14 @@ namespace seiche
           group_nodes.push_back(nodes[a]);
       });
     };
-    covered_cells.assign(occupancy.locator.n_owned(), 0);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    covered_cells.assign(occupancy.locator.cells.n_owned(), 0);
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         covered_cells[cell] = occupancy.degree(cell);
         add_nodes(cell, occupancy.degree(cell));
         group_begin.push_back(group_nodes.size());
       }
-    covered_faces.assign(occupancy.locator.n_cells() * 2 * dim, 0);
+    covered_faces.assign(occupancy.locator.cells.size() * 2 * dim, 0);
     for (const GhostFace &face : fill.ghost_faces())
       {
         covered_faces[face_index(face.lower, face.upper, face.direction)] =
@@ -100,7 +100,7 @@ namespace seiche
       }
 
     // groups at each node, then the union of their nodes
-    const unsigned int        n_rows = occupancy.n_local_nodes();
+    const unsigned int        n_rows = occupancy.nodes.n_local();
     std::vector<unsigned int> at_begin(n_rows + 1, 0), at;
     for (const unsigned int node : group_nodes)
       ++at_begin[node + 1];
@@ -135,16 +135,16 @@ namespace seiche
   void
   NodePattern<dim>::build_tables()
   {
-    const auto &nodes = *occupancy.scalar_partitioner();
-    column_of_node.resize(occupancy.n_local_nodes());
+    const auto &nodes = *occupancy.nodes.partitioner();
+    column_of_node.resize(occupancy.nodes.n_local());
     for (unsigned int i = 0; i < column_of_node.size(); ++i)
       column_of_node[i] = columns->global_to_local(nodes.local_to_global(i));
-    diagonal.resize(occupancy.n_own_nodes());
+    diagonal.resize(occupancy.nodes.n_own());
     for (unsigned int i = 0; i < diagonal.size(); ++i)
       diagonal[i] = entry(i, i);
     const std::size_t n_pairs = n_nodes * n_nodes;
-    scatter.resize(occupancy.locator.n_owned() * n_pairs);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    scatter.resize(occupancy.locator.cells.n_owned() * n_pairs);
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         std::uint16_t *table = &scatter[cell * n_pairs];
         with_degree(occupancy.degree(cell), [&](const auto degree) {

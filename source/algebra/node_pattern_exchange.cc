@@ -35,10 +35,10 @@ namespace seiche
   {
     sent.clear();
     received.clear();
-    const auto &nodes = *occupancy.scalar_partitioner();
+    const auto &nodes = *occupancy.nodes.partitioner();
     if (Utilities::MPI::n_mpi_processes(nodes.get_mpi_communicator()) == 1)
       {
-        columns = occupancy.scalar_partitioner();
+        columns = occupancy.nodes.partitioner();
         return;
       }
     const RowMessages incoming = send_ghost_rows();
@@ -63,9 +63,9 @@ namespace seiche
   typename NodePattern<dim>::RowMessages
   NodePattern<dim>::send_ghost_rows()
   {
-    const auto  &nodes = *occupancy.scalar_partitioner();
+    const auto  &nodes = *occupancy.nodes.partitioner();
     RowMessages  outgoing;
-    unsigned int row = occupancy.n_own_nodes();
+    unsigned int row = occupancy.nodes.n_own();
     for (const auto &[rank, n_rows] : nodes.ghost_targets())
       {
         std::vector<Index> &message = outgoing[rank];
@@ -87,14 +87,14 @@ namespace seiche
   void
   NodePattern<dim>::number_columns(const RowMessages &incoming)
   {
-    const auto        &nodes = *occupancy.scalar_partitioner();
+    const auto        &nodes = *occupancy.nodes.partitioner();
     std::vector<Index> ghosts;
     const auto         note = [&](const Index global) {
       if (!nodes.in_local_range(global))
         ghosts.push_back(global);
     };
-    for (unsigned int i = occupancy.n_own_nodes();
-         i < occupancy.n_local_nodes();
+    for (unsigned int i = occupancy.nodes.n_own();
+         i < occupancy.nodes.n_local();
          ++i)
       note(nodes.local_to_global(i));
     for_each_row(incoming,
@@ -113,8 +113,8 @@ namespace seiche
   void
   NodePattern<dim>::merge_rows(const RowMessages &incoming)
   {
-    const auto        &nodes = *occupancy.scalar_partitioner();
-    const unsigned int n_own = occupancy.n_own_nodes();
+    const auto        &nodes = *occupancy.nodes.partitioner();
+    const unsigned int n_own = occupancy.nodes.n_own();
     std::vector<std::vector<unsigned int>> more(n_own);
     for_each_row(incoming,
                  [&](const Index global, const Index *globals, const Index n) {
@@ -156,7 +156,7 @@ namespace seiche
                                   const unsigned int   size) const
   {
     const MPI_Comm communicator =
-      occupancy.scalar_partitioner()->get_mpi_communicator();
+      occupancy.nodes.partitioner()->get_mpi_communicator();
     std::vector<MPI_Request>         requests;
     std::vector<std::vector<double>> buffers;
     for (const Exchange &exchange : received)

@@ -41,11 +41,11 @@ namespace seiche
       return;
     sum_points(points);
     fill_empty_cells();
-    main.assign(occupancy.locator.n_owned(), 0);
-    mixed.assign(occupancy.locator.n_owned(), 0);
-    densities.assign(occupancy.locator.n_cells(), materials[0].density);
-    totals.assign(occupancy.locator.n_owned(), 0.);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    main.assign(occupancy.locator.cells.n_owned(), 0);
+    mixed.assign(occupancy.locator.cells.n_owned(), 0);
+    densities.assign(occupancy.locator.cells.size(), materials[0].density);
+    totals.assign(occupancy.locator.cells.n_owned(), 0.);
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         double       mass = 0., sum = 0.;
         unsigned int n_held = 0;
@@ -63,12 +63,12 @@ namespace seiche
         if (sum > 0.)
           densities[cell] = mass / sum;
       }
-    occupancy.locator.exchange_to_ghosts(densities);
+    occupancy.locator.cells.exchange_to_ghosts(densities);
     node_density = node_means(occupancy, [this](const unsigned int cell) {
       return densities[cell];
     });
     // nodes without fluid, which have no mass either
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       if (node_density.local_element(i) == 0.)
         node_density.local_element(i) = bound.density;
   }
@@ -78,14 +78,14 @@ namespace seiche
   CellMaterials<dim>::sum_points(const PointCloud<dim> &points)
   {
     volumes.assign(materials.size(),
-                   std::vector<double>(occupancy.locator.n_cells(), 0.));
+                   std::vector<double>(occupancy.locator.cells.size(), 0.));
     const double *material = points.data(PointColumn::material);
     const double *initial  = points.data(PointColumn::initial_volume);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       for (const std::size_t p : points.points_in(cell))
         volumes[material[p]][cell] += initial[p];
     for (auto &of_material : volumes)
-      occupancy.locator.exchange_to_ghosts(of_material);
+      occupancy.locator.cells.exchange_to_ghosts(of_material);
   }
 
   template <int dim>
@@ -93,18 +93,18 @@ namespace seiche
   CellMaterials<dim>::fill_empty_cells()
   {
     const auto volumes_of_points = volumes;
-    for (const unsigned int cell : occupancy.occupied_cells())
-      if (!occupancy.holds_points(cell))
+    for (const unsigned int cell : occupancy.cells.occupied())
+      if (!occupancy.cells.holds_points(cell))
         {
           // the one that there is most of: no mixture without points
           std::vector<double> around(materials.size(), 0.);
           for (const unsigned int neighbor :
-               occupancy.locator.vertex_neighbors(cell))
+               occupancy.locator.cells.vertex_neighbors(cell))
             for (unsigned int m = 0; m < materials.size(); ++m)
               around[m] += volumes_of_points[m][neighbor];
           const unsigned int most =
             std::max_element(around.begin(), around.end()) - around.begin();
-          volumes[most][cell] = occupancy.locator.geometry(cell).measure;
+          volumes[most][cell] = occupancy.locator.cells.geometry(cell).measure;
         }
   }
 
@@ -118,16 +118,16 @@ namespace seiche
         bound.viscosity = materials[0].law->scale;
         return;
       }
-    viscosities.assign(occupancy.locator.n_cells(), 0.);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    viscosities.assign(occupancy.locator.cells.size(), 0.);
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         viscosities[cell] =
           viscosity(cell, is_newtonian ? 0. : shear_in(cell, velocity));
         bound.viscosity = std::max(bound.viscosity, viscosities[cell]);
       }
-    occupancy.locator.exchange_to_ghosts(viscosities);
+    occupancy.locator.cells.exchange_to_ghosts(viscosities);
     bound.viscosity = Utilities::MPI::max(
-      bound.viscosity, occupancy.scalar_partitioner()->get_mpi_communicator());
+      bound.viscosity, occupancy.nodes.partitioner()->get_mpi_communicator());
   }
 
   template <int dim>
@@ -137,7 +137,7 @@ namespace seiche
   {
     return with_degree(occupancy.degree(cell), [&](const auto degree) {
       PointBatch<dim, degree, double> centre;
-      centre.reinit(occupancy.locator.geometry(cell),
+      centre.reinit(occupancy.locator.cells.geometry(cell),
                     CellGeometry<dim>::unit_centre());
       double nodal[dim][centre.n_nodes];
       occupancy.template unknowns<degree>(cell).read(velocity.begin(), nodal);

@@ -23,11 +23,11 @@ namespace seiche
     std::vector<unsigned int> has_room(chambers.size());
     for (unsigned int chamber = 0; chamber < chambers.size(); ++chamber)
       has_room[chamber] = chambers.is_open(chamber);
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       if (!fluid_fills(cell))
-        has_room[chambers.index(locator.iterator(cell))] = 1;
+        has_room[chambers.index(locator.cells.iterator(cell))] = 1;
     const MPI_Comm communicator =
-      occupancy.scalar_partitioner()->get_mpi_communicator();
+      occupancy.nodes.partitioner()->get_mpi_communicator();
     Utilities::MPI::max(has_room, communicator, has_room);
     std::transform(has_room.begin(),
                    has_room.end(),
@@ -38,13 +38,13 @@ namespace seiche
     if (!any())
       return;
 
-    of_node.assign(occupancy.n_own_nodes(), none);
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    of_node.assign(occupancy.nodes.n_own(), none);
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       if (holds_cell(cell))
         for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          if (const unsigned int node = occupancy.cell_nodes(cell)[a];
+          if (const unsigned int node = occupancy.nodes.of_cell(cell)[a];
               node < of_node.size())
-            of_node[node] = chambers.index(locator.iterator(cell));
+            of_node[node] = chambers.index(locator.cells.iterator(cell));
   }
 
   template <int dim>
@@ -84,7 +84,7 @@ namespace seiche
   {
     subtract(
       pressure,
-      [this](const unsigned int node) { return occupancy.node_volume(node); },
+      [this](const unsigned int node) { return occupancy.nodes.volume(node); },
       [](const unsigned int) { return 1.; });
   }
 
@@ -100,10 +100,10 @@ namespace seiche
   std::vector<types::global_dof_index>
   ClosedChambers<dim>::first_nodes() const
   {
-    const auto &nodes = *occupancy.scalar_partitioner();
+    const auto                          &nodes = *occupancy.nodes.partitioner();
     std::vector<types::global_dof_index> first(chambers.size(), nodes.size());
     for (unsigned int node = of_node.size(); node-- > 0;)
-      if (of_node[node] != none && occupancy.node_volume(node) > 0.)
+      if (of_node[node] != none && occupancy.nodes.volume(node) > 0.)
         first[of_node[node]] = nodes.local_to_global(node);
     Utilities::MPI::min(first, nodes.get_mpi_communicator(), first);
     first.erase(std::remove(first.begin(), first.end(), nodes.size()),

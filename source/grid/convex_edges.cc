@@ -32,7 +32,7 @@ namespace seiche
     if (!exist)
       return;
     const auto                 &locator = occupancy.locator;
-    const unsigned int          n_own   = occupancy.n_own_nodes();
+    const unsigned int          n_own   = occupancy.nodes.n_own();
     std::vector<unsigned int>   wet(n_own, 0), concave(n_own, 0);
     std::vector<Tensor<1, dim>> area(n_own);
     std::vector<char>           has_fluid(n_own, 0);
@@ -40,8 +40,8 @@ namespace seiche
       for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
         {
           // for a hanging node: with degree 1 its master in the same corner
-          const unsigned int node = occupancy.cell_nodes(cell)[a];
-          if (node >= occupancy.n_own_nodes() ||
+          const unsigned int node = occupancy.nodes.of_cell(cell)[a];
+          if (node >= occupancy.nodes.n_own() ||
               occupancy.constraints.wall_components(node) == 0)
             continue;
           has_fluid[node] = 1;
@@ -52,13 +52,13 @@ namespace seiche
           unsigned int of_cell = 0;
           for (const BoxFace face : GeometryInfo<dim>::face_indices())
             if (is_on_face<dim>(occupancy.fe.degree, a, face) &&
-                locator.at_boundary(cell, face))
+                locator.cells.wall_at(cell, face))
               {
                 const unsigned int d = face.direction();
                 of_cell |= 1u << d;
                 area[node][d] -= face.outward() *
-                                 locator.geometry(cell).measure /
-                                 locator.geometry(cell).edges[d];
+                                 locator.cells.geometry(cell).measure /
+                                 locator.cells.geometry(cell).edges[d];
               }
           wet[node] |= of_cell;
           if (has_several(of_cell))
@@ -66,8 +66,8 @@ namespace seiche
         }
     };
     // the inside of a surface along a face may reach a little beyond the edge
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      if (occupancy.holds_points(cell))
+    for (unsigned int cell = 0; cell < locator.cells.size(); ++cell)
+      if (occupancy.cells.holds_points(cell))
         look_at(cell);
     for (unsigned int node = 0; node < n_own; ++node)
       if (has_fluid[node])

@@ -55,12 +55,12 @@ namespace seiche
   DensityProjection<dim>::choose_nodes()
   {
     const Vector &f = fill.nodal_fill(), &inside = fill.surface().nodal_fill();
-    inverse_diagonal.reinit(occupancy.scalar_partitioner());
+    inverse_diagonal.reinit(occupancy.nodes.partitioner());
     CellLaplacian<dim, 1> laplacian;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
-        laplacian.reinit(occupancy.locator.geometry(cell));
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        laplacian.reinit(occupancy.locator.cells.geometry(cell));
+        const unsigned int *nodes = occupancy.nodes.of_cell(cell);
         for (unsigned int v = 0; v < laplacian.n_nodes; ++v)
           inverse_diagonal.local_element(
             nodes[vertex_node<dim>(occupancy.fe.degree, v)]) +=
@@ -69,10 +69,10 @@ namespace seiche
     inverse_diagonal.compress(VectorOperation::add);
     is_free.reinit(inverse_diagonal);
     bool all_free = true;
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       {
         const double diagonal = inverse_diagonal.local_element(i);
-        const bool   free = diagonal > 0. && occupancy.node_volume(i) > 0. &&
+        const bool   free = diagonal > 0. && occupancy.nodes.volume(i) > 0. &&
                           ((inside.local_element(i) > least_inside &&
                             !occupancy.constraints.leaves_wall(i)) ||
                            f.local_element(i) > 1.);
@@ -85,9 +85,9 @@ namespace seiche
                   occupancy.locator.grid.triangulation.get_communicator()) > 0;
     is_free.update_ghost_values();
     free_cells.clear();
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        const unsigned int *nodes = occupancy.nodes.of_cell(cell);
         if (std::any_of(nodes,
                         nodes + occupancy.nodes_per_cell(),
                         [&](const unsigned int node) {
@@ -108,7 +108,7 @@ namespace seiche
     double x[CellLaplacian<dim, 1>::n_nodes], y[CellLaplacian<dim, 1>::n_nodes];
     for (const unsigned int cell : free_cells)
       {
-        laplacian.reinit(occupancy.locator.geometry(cell));
+        laplacian.reinit(occupancy.locator.cells.geometry(cell));
         occupancy.vertex_values(cell, src, x);
         for (unsigned int a = 0; a < laplacian.n_nodes; ++a)
           {
@@ -120,7 +120,7 @@ namespace seiche
       }
     dst.compress(VectorOperation::add);
     src.zero_out_ghost_values();
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       if (is_free.local_element(i) == 0.)
         dst.local_element(i) = src.local_element(i);
   }
@@ -133,10 +133,10 @@ namespace seiche
     const Vector &f = fill.nodal_fill(), &inside = fill.surface().nodal_fill();
     Vector        sums(is_free);
     double        total = 0., volume = 0.;
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       if (is_free.local_element(i) > 0.)
         {
-          const double V = occupancy.node_volume(i);
+          const double V = occupancy.nodes.volume(i);
           sums.local_element(i) =
             share * (inside.local_element(i) - f.local_element(i)) * V;
           total += sums.local_element(i);
@@ -149,9 +149,9 @@ namespace seiche
             total, occupancy.locator.grid.triangulation.get_communicator()) /
           Utilities::MPI::sum(
             volume, occupancy.locator.grid.triangulation.get_communicator());
-        for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+        for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
           if (is_free.local_element(i) > 0.)
-            sums.local_element(i) -= mean * occupancy.node_volume(i);
+            sums.local_element(i) -= mean * occupancy.nodes.volume(i);
       }
     SolverControl          control(max_iterations, tolerance * sums.l2_norm());
     SolverCG<Vector>       solver(control);
@@ -180,7 +180,7 @@ namespace seiche
     for (const unsigned int cell : free_cells)
       {
         occupancy.vertex_values(cell, potential, psi);
-        const auto           &geometry = occupancy.locator.geometry(cell);
+        const auto           &geometry = occupancy.locator.cells.geometry(cell);
         const PointShift<dim> shift(cell, points, domain);
         for (const std::size_t p : points.points_in(cell))
           {

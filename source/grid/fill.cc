@@ -44,7 +44,7 @@ namespace seiche
       find_surface(points);
     classify(points);
     closed.update([this](const unsigned int cell) {
-      return has_surface() ? is_full(cell) : occupancy.is_occupied(cell);
+      return has_surface() ? is_full(cell) : occupancy.cells.is_occupied(cell);
     });
     mark_inner_nodes();
     collect_ghost_faces();
@@ -67,25 +67,25 @@ namespace seiche
   {
     const auto &locator = occupancy.locator;
     double      total   = 0.;
-    fill.assign(locator.n_cells(), 0.);
-    node_fill.reinit(occupancy.scalar_partitioner());
+    fill.assign(locator.cells.size(), 0.);
+    node_fill.reinit(occupancy.nodes.partitioner());
     const double *volume = volumes(points);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         const double sum =
           std::accumulate(volume + points.first_point(cell),
                           volume + points.first_point(cell + 1),
                           0.);
-        fill[cell] = rounded(sum / locator.geometry(cell).measure);
+        fill[cell] = rounded(sum / locator.cells.geometry(cell).measure);
         total += sum;
         boxes.add(points, volume, cell, node_fill);
       }
     node_fill.compress(VectorOperation::add);
 
     double excess = 0.;
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       {
-        const double full = occupancy.node_volume(i);
+        const double full = occupancy.nodes.volume(i);
         double      &f    = node_fill.local_element(i);
         f                 = full > 0. ? rounded(f / full) : 0.;
         excess += std::max(0., f - 1.) * full;
@@ -100,11 +100,11 @@ namespace seiche
   bool
   Fill<dim>::touches_unoccupied(const unsigned int cell) const
   {
-    const auto neighbors = occupancy.locator.vertex_neighbors(cell);
+    const auto neighbors = occupancy.locator.cells.vertex_neighbors(cell);
     return std::any_of(neighbors.begin(),
                        neighbors.end(),
                        [&](const unsigned int c) {
-                         return !occupancy.is_occupied(c);
+                         return !occupancy.cells.is_occupied(c);
                        });
   }
 
@@ -115,20 +115,21 @@ namespace seiche
     const auto &locator = occupancy.locator;
     free_surface->update(node_fill);
     std::vector<unsigned int> without_points;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      if (!occupancy.is_occupied(cell) && surface().inside_share(cell) > 0.)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
+      if (!occupancy.cells.is_occupied(cell) &&
+          surface().inside_share(cell) > 0.)
         without_points.push_back(cell);
-    occupancy.occupy(without_points);
+    occupancy.cells.add(without_points);
 
     loose.assign(points.size(), 0.);
-    has_loose.assign(locator.n_owned(), 0);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    has_loose.assign(locator.cells.n_owned(), 0);
+    for (const unsigned int cell : occupancy.cells.occupied())
       if (surface().inside_share(cell) < 1.)
         for (const std::size_t p : points.points_in(cell))
           {
             // round-off must not make a point part of the quadrature
             loose[p]        = rounded(surface().loose_share(
-              cell, locator.geometry(cell).to_unit(points.position(p))));
+              cell, locator.cells.geometry(cell).to_unit(points.position(p))));
             has_loose[cell] = has_loose[cell] || loose[p] > 0.;
           }
   }
@@ -148,7 +149,7 @@ namespace seiche
                               share + points.n_points_in(cell),
                               volume,
                               0.) /
-           occupancy.locator.geometry(cell).measure;
+           occupancy.locator.cells.geometry(cell).measure;
   }
 
   template <int dim>
@@ -156,10 +157,10 @@ namespace seiche
   Fill<dim>::classify(const PointCloud<dim> &points)
   {
     const auto &locator = occupancy.locator;
-    cut.assign(locator.n_cells(), 0);
-    linear.assign(locator.n_owned(), 0);
-    extent_moments.assign(locator.n_owned(), 0.);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    cut.assign(locator.cells.size(), 0);
+    linear.assign(locator.cells.n_owned(), 0);
+    extent_moments.assign(locator.cells.n_owned(), 0.);
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         cut[cell] = has_surface() ? !is_full(cell) : touches_unoccupied(cell);
         linear[cell]       = cut[cell] || points.n_points_in(cell) == 0;
@@ -172,7 +173,7 @@ namespace seiche
             extent_moments[cell] = loose * std::pow(share, 2. / dim) / 12.;
           }
       }
-    locator.exchange_to_ghosts(cut);
+    locator.cells.exchange_to_ghosts(cut);
   }
 
   template <int dim>
@@ -182,13 +183,14 @@ namespace seiche
     // marks of own cells, added: an owner may not see a cell with a hanging
     // node whose master is its own
     inner.reinit(node_fill);
-    for (unsigned int cell = 0; cell < occupancy.locator.n_owned(); ++cell)
-      if (occupancy.is_active(cell) &&
-          (is_cut(cell) || !occupancy.is_occupied(cell)))
+    for (unsigned int cell = 0; cell < occupancy.locator.cells.n_owned();
+         ++cell)
+      if (occupancy.cells.is_active(cell) &&
+          (is_cut(cell) || !occupancy.cells.is_occupied(cell)))
         for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-          inner.local_element(occupancy.cell_nodes(cell)[a]) = 1.;
+          inner.local_element(occupancy.nodes.of_cell(cell)[a]) = 1.;
     inner.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       inner.local_element(i) = inner.local_element(i) > 0. ? 0. : 1.;
     inner.update_ghost_values();
   }
@@ -198,14 +200,16 @@ namespace seiche
   Fill<dim>::collect_ghost_faces()
   {
     const auto is_fragment = [&](const unsigned int cell) {
-      return occupancy.holds_points(cell) &&
+      return occupancy.cells.holds_points(cell) &&
              inside_share(cell) < fragment_below;
     };
     faces.clear();
     for_each_assembled_face(
       occupancy.locator,
-      occupancy.occupied_cells(),
-      [&](const unsigned int cell) { return occupancy.is_occupied(cell); },
+      occupancy.cells.occupied(),
+      [&](const unsigned int cell) {
+        return occupancy.cells.is_occupied(cell);
+      },
       [&](const unsigned int lower,
           const unsigned int upper,
           const unsigned int direction) {

@@ -14,9 +14,10 @@ namespace seiche
                                          const Occupancy<dim> &occupancy)
   {
     const auto &locator = occupancy.locator;
-    h = 0.5 * (locator.geometry(face.lower).edges[face.direction] +
-               locator.geometry(face.upper).edges[face.direction]);
-    if (degree == 1 && locator.level(face.lower) == locator.level(face.upper) &&
+    h = 0.5 * (locator.cells.geometry(face.lower).edges[face.direction] +
+               locator.cells.geometry(face.upper).edges[face.direction]);
+    if (degree == 1 &&
+        locator.cells.level(face.lower) == locator.cells.level(face.upper) &&
         occupancy.template unknowns<degree>(face.lower).matrix == nullptr &&
         occupancy.template unknowns<degree>(face.upper).matrix == nullptr)
       evaluate_conforming(face, occupancy);
@@ -32,8 +33,8 @@ namespace seiche
   {
     const auto        &locator = occupancy.locator;
     const unsigned int n       = face.direction;
-    const double       h_lower = locator.geometry(face.lower).edges[n];
-    const double       h_upper = locator.geometry(face.upper).edges[n];
+    const double       h_lower = locator.cells.geometry(face.lower).edges[n];
+    const double       h_upper = locator.cells.geometry(face.upper).edges[n];
     // jump of the normal derivative in terms of the three nodes on a line
     const double jump[3] = {1. / h_lower,
                             -1. / h_lower - 1. / h_upper,
@@ -68,8 +69,8 @@ namespace seiche
             if (d != n)
               {
                 const bool same = ((t >> bit) & 1u) == ((r >> bit) & 1u);
-                mass *=
-                  locator.geometry(face.lower).edges[d] / (same ? 3. : 6.);
+                mass *= locator.cells.geometry(face.lower).edges[d] /
+                        (same ? 3. : 6.);
                 ++bit;
               }
           for (unsigned int s = 0; s < 3; ++s)
@@ -90,7 +91,7 @@ namespace seiche
     double               *second)
   {
     constexpr unsigned int n        = Shape::n_nodes;
-    const auto            &geometry = occupancy.locator.geometry(cell);
+    const auto            &geometry = occupancy.locator.cells.geometry(cell);
     const Point<dim> unit = geometry.to_unit(occupancy.locator.image(x, cell));
     const auto       unknowns = occupancy.template unknowns<degree>(cell);
     PointBatch<dim, degree, double> point;
@@ -117,10 +118,10 @@ namespace seiche
     constexpr unsigned int n       = Shape::n_nodes;
     // the face of the smaller cell
     const bool lower_is_small =
-      locator.level(face.lower) >= locator.level(face.upper);
+      locator.cells.level(face.lower) >= locator.cells.level(face.upper);
     const unsigned int small = lower_is_small ? face.lower : face.upper;
-    const Point<dim>   begin = locator.geometry(small).lower;
-    const auto        &size  = locator.geometry(small).edges;
+    const Point<dim>   begin = locator.cells.geometry(small).lower;
+    const auto        &size  = locator.cells.geometry(small).edges;
 
     n_nodes = 2 * n;
     for (unsigned int a = 0; a < n; ++a)

@@ -9,8 +9,8 @@ namespace seiche
                          const bool            with_pressure,
                          const bool            with_acceleration)
   {
-    const auto &nodes      = occupancy.scalar_partitioner();
-    const auto &components = occupancy.vector_partitioner();
+    const auto &nodes      = occupancy.nodes.partitioner();
+    const auto &components = occupancy.nodes.vector_partitioner();
     mass.reinit(nodes);
     pressure_guess.reinit(nodes);
     for (Vector *vector : {&velocity_n,

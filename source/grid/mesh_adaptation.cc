@@ -45,9 +45,9 @@ namespace seiche
         locator.grid.triangulation.get_communicator();
       for (bool changed = true; changed;)
         {
-          locator.exchange_to_ghosts(values);
+          locator.cells.exchange_to_ghosts(values);
           changed = false;
-          for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+          for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
             changed = f(cell) || changed;
           changed = Utilities::MPI::max(changed ? 1 : 0, communicator) == 1;
         }
@@ -105,15 +105,15 @@ namespace seiche
   void
   MeshAdaptation<dim>::find_fluid()
   {
-    holds_fluid.assign(locator.n_cells(), 0);
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    holds_fluid.assign(locator.cells.size(), 0);
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       holds_fluid[cell] = points.n_points_in(cell) > 0;
-    locator.exchange_to_ghosts(holds_fluid);
-    at_surface.assign(locator.n_cells(), 0);
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    locator.cells.exchange_to_ghosts(holds_fluid);
+    at_surface.assign(locator.cells.size(), 0);
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       if (holds_fluid[cell])
         {
-          const auto neighbors = locator.vertex_neighbors(cell);
+          const auto neighbors = locator.cells.vertex_neighbors(cell);
           at_surface[cell] =
             std::any_of(neighbors.begin(),
                         neighbors.end(),
@@ -128,17 +128,17 @@ namespace seiche
     const unsigned int level =
       grid.lattice_level() + parameters.free_surface_level();
     bool left = false;
-    for (unsigned int cell = 0; cell < locator.n_owned() && !left; ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned() && !left; ++cell)
       if (at_surface[cell])
         {
-          const auto neighbors = locator.vertex_neighbors(cell);
-          left =
-            locator.level(cell) < level ||
-            std::any_of(neighbors.begin(),
-                        neighbors.end(),
-                        [&](const unsigned int c) {
-                          return holds_fluid[c] && locator.level(c) < level;
-                        });
+          const auto neighbors = locator.cells.vertex_neighbors(cell);
+          left                 = locator.cells.level(cell) < level ||
+                 std::any_of(neighbors.begin(),
+                             neighbors.end(),
+                             [&](const unsigned int c) {
+                               return holds_fluid[c] &&
+                                      locator.cells.level(c) < level;
+                             });
         }
     return Utilities::MPI::max(left ? 1 : 0, communicator) == 1;
   }
@@ -155,14 +155,14 @@ namespace seiche
         choose_levels();
       }
     bool flagged = false;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
-        const auto &iterator = locator.iterator(cell);
-        if (next_level[cell] > locator.level(cell))
+        const auto &iterator = locator.cells.iterator(cell);
+        if (next_level[cell] > locator.cells.level(cell))
           iterator->set_refine_flag();
-        else if (next_level[cell] < locator.level(cell))
+        else if (next_level[cell] < locator.cells.level(cell))
           iterator->set_coarsen_flag();
-        flagged = flagged || next_level[cell] != locator.level(cell);
+        flagged = flagged || next_level[cell] != locator.cells.level(cell);
       }
     if (Utilities::MPI::max(flagged ? 1 : 0, communicator) == 0)
       return owners_changed;
@@ -181,7 +181,7 @@ namespace seiche
   void
   MeshAdaptation<dim>::choose_levels()
   {
-    wanted_level.assign(locator.n_cells(), 0.);
+    wanted_level.assign(locator.cells.size(), 0.);
     for (const auto &criterion : parameters.criteria)
       claim(criterion);
     grade();
@@ -193,8 +193,8 @@ namespace seiche
   MeshAdaptation<dim>::a_family_is_shared() const
   {
     bool shared = false;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      shared = shared || (next_level[cell] < locator.level(cell) &&
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
+      shared = shared || (next_level[cell] < locator.cells.level(cell) &&
                           !siblings_are_own(cell));
     return Utilities::MPI::max(shared ? 1 : 0, communicator) == 1;
   }
@@ -205,7 +205,7 @@ namespace seiche
   {
     until_settled(locator, wanted_level, [&](const unsigned int cell) {
       const double before = wanted_level[cell];
-      for (const unsigned int other : locator.vertex_neighbors(cell))
+      for (const unsigned int other : locator.cells.vertex_neighbors(cell))
         wanted_level[cell] =
           std::max(wanted_level[cell], wanted_level[other] - 1.);
       return wanted_level[cell] != before;
@@ -216,15 +216,15 @@ namespace seiche
   void
   MeshAdaptation<dim>::choose_next_levels()
   {
-    next_level.resize(locator.n_cells());
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    next_level.resize(locator.cells.size());
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
-        const double level = locator.level(cell);
+        const double level = locator.cells.level(cell);
         next_level[cell] =
           std::clamp(wanted_level[cell], level - 1., level + 1.);
       }
     until_settled(locator, next_level, [&](const unsigned int cell) {
-      const double level = locator.level(cell);
+      const double level = locator.cells.level(cell);
       if (next_level[cell] >= level || may_coarsen(cell))
         return false;
       next_level[cell] = level;
@@ -236,15 +236,17 @@ namespace seiche
   bool
   MeshAdaptation<dim>::may_coarsen(const unsigned int cell) const
   {
-    const double level = locator.level(cell);
+    const double level = locator.cells.level(cell);
     // A neighbour that is finer now counts even if it coarsens in this pass:
     // the forest does not know the flags of other ranks' cells.
-    for (const unsigned int other : locator.vertex_neighbors(cell))
-      if (std::max<double>(next_level[other], locator.level(other)) > level)
+    for (const unsigned int other : locator.cells.vertex_neighbors(cell))
+      if (std::max<double>(next_level[other], locator.cells.level(other)) >
+          level)
         return false;
-    const auto parent = locator.iterator(cell)->parent();
+    const auto parent = locator.cells.iterator(cell)->parent();
     for (const auto &child : parent->child_iterators())
-      if (!child->is_active() || next_level[locator.index(child)] >= level)
+      if (!child->is_active() ||
+          next_level[locator.cells.index(child)] >= level)
         return false;
     return true;
   }
@@ -253,7 +255,7 @@ namespace seiche
   bool
   MeshAdaptation<dim>::siblings_are_own(const unsigned int cell) const
   {
-    const auto parent = locator.iterator(cell)->parent();
+    const auto parent = locator.cells.iterator(cell)->parent();
     for (const auto &child : parent->child_iterators())
       if (!child->is_locally_owned())
         return false;
@@ -276,27 +278,28 @@ namespace seiche
       {
         const auto &[low, high] = place.get_boundary_points();
         if (criterion.kind == RefinementKind::walls)
-          place = {std::make_pair(locator.moved(low), locator.moved(high))};
+          place = {std::make_pair(locator.lines.moved(low),
+                                  locator.lines.moved(high))};
         else if (criterion.kind == RefinementKind::probes)
           {
             const auto there =
-              grid.parameters.with_sides(low, locator.domain());
+              grid.parameters.with_sides(low, locator.lines.domain());
             place = {std::make_pair(there, there)};
           }
       }
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
         bool wanted = criterion.kind == RefinementKind::box;
         if (!wanted && holds_fluid[cell])
           wanted = true;
-        if (wanted && std::any_of(places.begin(),
-                                  places.end(),
-                                  [&](const BoundingBox<dim> &place) {
-                                    return gap(place,
-                                               locator.geometry(cell).box(),
-                                               grid.parameters) <=
-                                           criterion.distance;
-                                  }))
+        if (wanted &&
+            std::any_of(places.begin(),
+                        places.end(),
+                        [&](const BoundingBox<dim> &place) {
+                          return gap(place,
+                                     locator.cells.geometry(cell).box(),
+                                     grid.parameters) <= criterion.distance;
+                        }))
           wanted_level[cell] = std::max(wanted_level[cell], level);
       }
   }
@@ -312,21 +315,21 @@ namespace seiche
     // neighbour to neighbour; a seed's own neighbours have gap zero.
     const double        unit = std::pow(2., grid.finest_level() - level);
     const double        far  = std::numeric_limits<double>::max();
-    std::vector<double> begin(locator.n_cells(), far); // gap of what follows
-    std::vector<double> distance(locator.n_owned(), far);
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    std::vector<double> begin(locator.cells.size(), far); // gap of what follows
+    std::vector<double> distance(locator.cells.n_owned(), far);
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       if (seeds[cell])
         begin[cell] = distance[cell] = 0.;
     until_settled(locator, begin, [&](const unsigned int cell) {
-      for (const unsigned int other : locator.vertex_neighbors(cell))
+      for (const unsigned int other : locator.cells.vertex_neighbors(cell))
         distance[cell] = std::min(distance[cell], begin[other]);
       if (seeds[cell] || distance[cell] >= layers * unit)
         return false;
       const double before = begin[cell];
-      begin[cell]         = distance[cell] + locator.lattice_size(cell);
+      begin[cell]         = distance[cell] + locator.lattice.size(cell);
       return begin[cell] != before;
     });
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       if (distance[cell] < layers * unit)
         wanted_level[cell] = std::max(wanted_level[cell], level);
   }

@@ -44,7 +44,7 @@ namespace seiche
     // in 3D (exact: 1.5)
     constexpr double   alone = 1 << dim;
     constexpr double   most  = dim == 2 ? 8. : 26.;
-    const auto         all   = locator.vertex_neighbors(cell);
+    const auto         all   = locator.cells.vertex_neighbors(cell);
     const unsigned int n =
       std::count_if(all.begin(), all.end(), [&](const unsigned int c) {
         return holds_fluid[c];
@@ -65,7 +65,7 @@ namespace seiche
   MeshAdaptation<dim>::imbalance_of_weights() const
   {
     double own = 0.;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       own += weight(cell);
     return Utilities::MPI::max(own, communicator) *
            Utilities::MPI::n_mpi_processes(communicator) /
@@ -81,9 +81,9 @@ namespace seiche
       return false;
     // a rank's cells are one run of the space-filling curve
     const auto own_cells = [&]() {
-      return std::make_pair(locator.n_owned(),
-                            locator.n_owned() > 0 ?
-                              locator.iterator(0)->id().to_string() :
+      return std::make_pair(locator.cells.n_owned(),
+                            locator.cells.n_owned() > 0 ?
+                              locator.cells.iterator(0)->id().to_string() :
                               std::string());
     };
     const auto before = own_cells();
@@ -92,11 +92,11 @@ namespace seiche
     using ActiveCell  = typename Triangulation<dim>::active_cell_iterator;
     const auto handle = grid.triangulation.register_data_attach(
       [&](const auto &cell, const auto) {
-        return points.pack_cell(locator.index(ActiveCell(cell)));
+        return points.pack_cell(locator.cells.index(ActiveCell(cell)));
       },
       /*returns_variable_size_data=*/true);
     grid.repartition([&](const auto &cell) {
-      return weight(locator.index(ActiveCell(cell)));
+      return weight(locator.cells.index(ActiveCell(cell)));
     });
     std::vector<char> packed;
     grid.triangulation.notify_ready_to_unpack(

@@ -57,7 +57,7 @@ namespace seiche
                           Part (&parts)[2]) const
   {
     const auto is_wall = [&](const unsigned int side) {
-      return occupancy.locator.at_boundary(cell, BoxFace(direction, side));
+      return occupancy.locator.cells.wall_at(cell, BoxFace(direction, side));
     };
     // of a hat the mean over an interval is the value in its middle
     const auto part =
@@ -108,8 +108,8 @@ namespace seiche
     Point<dim>  near    = unit;
     for (unsigned int d = 0; d < dim; ++d)
       near[d] = std::clamp(unit[d], -beside, 1. + beside);
-    const Point<dim> place = locator.geometry(cell).to_real(near);
-    if (locator.geometry(cell).holds(place))
+    const Point<dim> place = locator.cells.geometry(cell).to_real(near);
+    if (locator.cells.geometry(cell).holds(place))
       return cell;
     const unsigned int found = locator.find(place, cell);
     return found == locator.invalid ? cell : found;
@@ -126,7 +126,8 @@ namespace seiche
     for (unsigned int d = 0, rest = side; d < dim; ++d, rest /= 3)
       unit[d] = near[rest % 3];
     const unsigned int found = find_touching(cell, unit);
-    if (!locator.geometry(found).is_congruent(locator.geometry(cell)))
+    if (!locator.cells.geometry(found).is_congruent(
+          locator.cells.geometry(cell)))
       return locator.invalid;
     return found;
   }
@@ -167,10 +168,10 @@ namespace seiche
                           typename Occupancy<dim>::Vector &sums) const
   {
     const auto        &locator = occupancy.locator;
-    const Point<dim>   place   = locator.geometry(cell).to_real(unit);
+    const Point<dim>   place   = locator.cells.geometry(cell).to_real(unit);
     const unsigned int holder  = find_touching(cell, unit);
     Point<dim>         inside =
-      locator.geometry(holder).to_unit(locator.image(place, holder));
+      locator.cells.geometry(holder).to_unit(locator.image(place, holder));
     for (unsigned int d = 0; d < dim; ++d)
       inside[d] = std::clamp(inside[d], 0., 1.);
     PointBatch<dim, 1, double> point;
@@ -232,8 +233,8 @@ namespace seiche
                        const unsigned int               cell,
                        typename Occupancy<dim>::Vector &sums) const
   {
-    const auto                &geometry = occupancy.locator.geometry(cell);
-    constexpr unsigned int     here     = n_sides / 2;
+    const auto            &geometry = occupancy.locator.cells.geometry(cell);
+    constexpr unsigned int here     = n_sides / 2;
     PointBatch<dim, 1, double> point;
     Integrals                  integrals;
     integrals.exists[here] = true;

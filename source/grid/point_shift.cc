@@ -17,7 +17,7 @@ namespace seiche
     , domain(box)
   {
     for (unsigned int face = 0; face < 2 * dim; ++face)
-      is_wall[face] = points.locator.at_boundary(cell, face);
+      is_wall[face] = points.locator.cells.wall_at(cell, face);
     const bool has_gradient = points.has(PointColumn::velocity_gradient);
     for (unsigned int c = 0; c < dim; ++c)
       {
@@ -36,8 +36,8 @@ namespace seiche
   PointShift<dim>::apply(const std::size_t point, Tensor<1, dim> delta) const
   {
     const auto           &locator = points.locator;
-    const Tensor<1, dim> &extent  = locator.geometry(cell).edges;
-    const Point<dim>     &lower   = locator.geometry(cell).lower;
+    const Tensor<1, dim> &extent  = locator.cells.geometry(cell).edges;
+    const Point<dim>     &lower   = locator.cells.geometry(cell).lower;
     Point<dim>            place;
     for (unsigned int d = 0; d < dim; ++d)
       {
@@ -57,12 +57,12 @@ namespace seiche
         delta[d] *= extent[d];
         place[d] += delta[d];
       }
-    if (!locator.geometry(cell).holds(place))
+    if (!locator.cells.geometry(cell).holds(place))
       {
         // no farther than every rank that has the cell can see
         for (unsigned int d = 0; d < dim; ++d)
           if (std::abs(place[d] - lower[d] - 0.5 * extent[d]) >
-              0.5 * extent[d] + locator.reach(cell)[d])
+              0.5 * extent[d] + locator.cells.reach(cell)[d])
             return;
         if (locator.find(place, cell) == CellLocator<dim>::invalid)
           return;

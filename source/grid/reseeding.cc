@@ -71,7 +71,7 @@ namespace seiche
   {
     std::size_t result = 1;
     for (unsigned int d = 0; d < dim; ++d)
-      result *= occupancy.locator.lattice_size(cell);
+      result *= occupancy.locator.lattice.size(cell);
     return result;
   }
 
@@ -80,7 +80,7 @@ namespace seiche
   Reseeding<dim>::merge(PointCloud<dim> &points) const
   {
     std::vector<std::size_t> dropped, alive;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         const std::size_t limit = most * size_of(cell);
         if (fill.is_cut(cell) || points.n_points_in(cell) <= limit)
@@ -151,7 +151,7 @@ namespace seiche
   Reseeding<dim>::split(PointCloud<dim> &points, std::uint64_t &next_id) const
   {
     std::vector<std::pair<std::size_t, Tensor<1, dim>>> chosen;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       if (!fill.is_cut(cell) &&
           points.n_points_in(cell) < fewest * size_of(cell))
         choose(cell, points, chosen);
@@ -220,7 +220,7 @@ namespace seiche
     const std::size_t wanted = fewest * size_of(cell);
     // halves of smaller ones would be lighter than those that are merged
     const double smallest =
-      occupancy.locator.geometry(cell).measure / (most * size_of(cell));
+      occupancy.locator.cells.geometry(cell).measure / (most * size_of(cell));
     for (const std::size_t p : own)
       {
         if (places.size() >= wanted || volume[p] < smallest)
@@ -262,8 +262,9 @@ namespace seiche
             scale =
               std::min(scale,
                        0.99 *
-                         std::min(x[c] - locator.geometry(cell).lower[c],
-                                  locator.geometry(cell).upper[c] - x[c]) /
+                         std::min(x[c] - locator.cells.geometry(cell).lower[c],
+                                  locator.cells.geometry(cell).upper[c] -
+                                    x[c]) /
                          std::abs(d[c]));
         d *= std::max(scale, 0.);
         double room = 4. * d.norm_square();

@@ -20,9 +20,9 @@ namespace seiche
     if (degree == 1 || !is_needed)
       return;
     const auto &line = line_integrals(degree), &hats = hat_integrals(degree);
-    typename Occupancy<dim>::Vector of_shapes(occupancy.scalar_partitioner()),
+    typename Occupancy<dim>::Vector of_shapes(occupancy.nodes.partitioner()),
       of_hats(of_shapes);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       if (touches_wall(occupancy, cell))
         {
           add_volume_integrals(occupancy, cell, line, of_shapes);
@@ -30,7 +30,7 @@ namespace seiche
         }
     of_shapes.compress(VectorOperation::add);
     of_hats.compress(VectorOperation::add);
-    factor.assign(occupancy.n_own_nodes(), 1.);
+    factor.assign(occupancy.nodes.n_own(), 1.);
     // masters of hanging nodes may have sums without a meaning
     for (unsigned int node = 0; node < factor.size(); ++node)
       if (of_hats.local_element(node) > 0. &&

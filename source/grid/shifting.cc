@@ -31,14 +31,14 @@ namespace seiche
     PointBatch<dim, 1, double> point;
     constexpr unsigned int     n_vertices = point.n_nodes;
     const auto                &locator    = occupancy.locator;
-    const auto                 domain     = locator.domain();
-    excess.assign(locator.n_cells(), 0.);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    const auto                 domain     = locator.lines.domain();
+    excess.assign(locator.cells.size(), 0.);
+    for (const unsigned int cell : occupancy.cells.occupied())
       excess[cell] = fill.cell_fill(cell) - fill.inside_share(cell);
-    locator.exchange_to_ghosts(excess);
+    locator.cells.exchange_to_ghosts(excess);
 
     double f[n_vertices], f_h[n_vertices], s[n_vertices];
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         if (fill.is_cut(cell))
           continue;
@@ -57,13 +57,13 @@ namespace seiche
           for (const unsigned int side : {0, 1})
             {
               const unsigned int other =
-                locator.neighbor(cell, BoxFace(d, side));
+                locator.cells.neighbor(cell, BoxFace(d, side));
               if (other != locator.invalid)
                 jump[d][side] =
                   (side == 0 ? -1. : 1.) * (excess[other] - excess[cell]);
             }
 
-        const CellGeometry<dim> &geometry = locator.geometry(cell);
+        const CellGeometry<dim> &geometry = locator.cells.geometry(cell);
         const PointShift<dim>    shift(cell, points, domain);
         for (const std::size_t p : points.points_in(cell))
           {

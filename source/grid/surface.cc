@@ -55,7 +55,7 @@ namespace seiche
         }
       VertexValues<dim> result{};
       for (const BoxFace face : GeometryInfo<dim>::face_indices())
-        if (sum > 0. && locator.at_boundary(cell, face))
+        if (sum > 0. && locator.cells.wall_at(cell, face))
           for (unsigned int v = 0; v < result.size(); ++v)
             if (face.has_vertex(v))
               result[v] += square[face.direction()] / sum;
@@ -72,8 +72,8 @@ namespace seiche
   void
   Surface<dim>::update(const Vector &nodal_fill)
   {
-    level.reinit(occupancy.scalar_partitioner());
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    level.reinit(occupancy.nodes.partitioner());
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       level.local_element(i) = level_at(-distance(nodal_fill.local_element(i)));
     level.update_ghost_values();
     cut_cells();
@@ -85,7 +85,7 @@ namespace seiche
         integrate();
       }
     represented.reinit(level);
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       if (const double fill = nodal_fill.local_element(i); fill > 0.)
         represented.local_element(i) =
           std::min(1., inside_fill.local_element(i) / fill);
@@ -121,11 +121,11 @@ namespace seiche
   Surface<dim>::cut_cells()
   {
     const auto &locator = occupancy.locator;
-    shares.assign(locator.n_cells(), 0.);
-    rule_of_cell.assign(locator.n_owned(), numbers::invalid_unsigned_int);
+    shares.assign(locator.cells.size(), 0.);
+    rule_of_cell.assign(locator.cells.n_owned(), numbers::invalid_unsigned_int);
     rules.clear();
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      if (occupancy.is_active(cell))
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
+      if (occupancy.cells.is_active(cell))
         {
           const CutCell<dim> part(level_in(cell));
           if (part.volume() > 1. - negligible)
@@ -137,7 +137,7 @@ namespace seiche
               rules.push_back(part.points());
             }
         }
-    locator.exchange_to_ghosts(shares);
+    locator.cells.exchange_to_ghosts(shares);
   }
 
   template <int dim>
@@ -146,15 +146,15 @@ namespace seiche
   {
     PointBatch<dim, 1, double> point;
     const auto                &locator = occupancy.locator;
-    inside_fill.reinit(occupancy.scalar_partitioner());
+    inside_fill.reinit(occupancy.nodes.partitioner());
     double of_vertices[point.n_nodes];
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
         if (shares[cell] == 0.)
           continue;
         std::fill(std::begin(of_vertices), std::end(of_vertices), 0.);
         const double weight =
-          shares[cell] * locator.geometry(cell).measure / point.n_nodes;
+          shares[cell] * locator.cells.geometry(cell).measure / point.n_nodes;
         for (unsigned int q = 0; q < point.n_nodes; ++q)
           if (shares[cell] == 1.)
             of_vertices[q] = weight;
@@ -167,8 +167,8 @@ namespace seiche
         occupancy.add_vertex_values(cell, of_vertices, inside_fill);
       }
     inside_fill.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
-      if (const double volume = occupancy.node_volume(i); volume > 0.)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
+      if (const double volume = occupancy.nodes.volume(i); volume > 0.)
         inside_fill.local_element(i) /= volume;
   }
 
@@ -178,10 +178,11 @@ namespace seiche
   {
     // over the cut cells at a node: their number, and n_d^2 of the surface's
     // normal for each wall that halves the hat function in direction d
-    Vector            cells(occupancy.scalar_partitioner()), halved(cells);
+    Vector            cells(occupancy.nodes.partitioner()), halved(cells);
     VertexValues<dim> ones;
     ones.fill(1.);
-    for (unsigned int cell = 0; cell < occupancy.locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < occupancy.locator.cells.n_owned();
+         ++cell)
       if (shares[cell] > 0. && shares[cell] < 1.)
         {
           occupancy.add_vertex_values(cell, ones.data(), cells);
@@ -192,7 +193,7 @@ namespace seiche
         }
     cells.compress(VectorOperation::add);
     halved.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       {
         const double f = inside_fill.local_element(i);
         if (cells.local_element(i) == 0. || f < empty_or_full ||

@@ -3,47 +3,51 @@
 
 namespace seiche
 {
+  using namespace dealii;
+
   template <int dim>
-  WallConditions<dim>::WallConditions(
-    const WallVelocity<dim> &velocity_of_walls,
-    const WallMotion<dim>   &motion_of_sides,
-    const Occupancy<dim>    &grid_occupancy)
-    : wall_velocity(velocity_of_walls)
-    , wall_motion(motion_of_sides)
-    , occupancy(grid_occupancy)
-    , moving(velocity_of_walls.any() || motion_of_sides.any())
+  WallConditions<dim>::WallConditions(const Occupancy<dim> &grid_occupancy)
+    : occupancy(grid_occupancy)
+    , moving(grid_occupancy.locator.grid.parameters.any_moving())
   {}
+
+  template <int dim>
+  const Wall<dim> *
+  WallConditions<dim>::side(const unsigned int node,
+                            const unsigned int component) const
+  {
+    for (const auto &[number, c, sides, cell, is_normal] :
+         occupancy.constraints.walls_at(node))
+      {
+        const Wall<dim> &wall = occupancy.locator.grid.wall(number);
+        if (c == component && wall.is_side() &&
+            wall.side().direction() == component)
+          return &wall;
+      }
+    return nullptr;
+  }
 
   template <int dim>
   double
   WallConditions<dim>::component(const unsigned int node,
                                  const unsigned int component,
-                                 const double       time) const
+                                 const double       time,
+                                 const double       dt) const
   {
+    const Point<dim> &x = occupancy.nodes.position(node);
+    if (const Wall<dim> *const decides = side(node, component))
+      return decides->velocity(x, time, dt)[component];
     double slowest = std::numeric_limits<double>::infinity();
-    for (const auto &[wall, c, sides, cell, is_normal] :
+    for (const auto &[number, c, sides, cell, is_normal] :
          occupancy.constraints.walls_at(node))
       if (c == component)
         {
           const double v =
-            wall_velocity.value(wall, occupancy.node_position(node), time)[c];
+            occupancy.locator.grid.wall(number).velocity(x, time, dt)[c];
           if (std::abs(v) < std::abs(slowest))
             slowest = v;
         }
     return slowest;
-  }
-
-  template <int dim>
-  unsigned int
-  WallConditions<dim>::side(const unsigned int node,
-                            const unsigned int component) const
-  {
-    for (const auto &[wall, c, sides, cell, is_normal] :
-         occupancy.constraints.walls_at(node))
-      if (c == component && occupancy.locator.grid.wall(wall).is_side() &&
-          occupancy.locator.grid.wall(wall).side().direction() == component)
-        return wall;
-    return dealii::numbers::invalid_unsigned_int;
   }
 
   template <int dim>
@@ -55,10 +59,7 @@ namespace seiche
     if (!moving)
       return 0.;
     return direction.project([&](const unsigned int c) {
-      const unsigned int decides = side(direction.node, c);
-      return decides == dealii::numbers::invalid_unsigned_int ?
-               component(direction.node, c, time) :
-               wall_motion.velocity(decides, time, dt);
+      return component(direction.node, c, time, dt);
     });
   }
 
@@ -71,17 +72,16 @@ namespace seiche
     const typename GridState<dim>::Vector &rate_offset) const
   {
     // a moving side has no oblique directions
-    const double       end     = state.time + state.dt;
-    const unsigned int decides = moving && direction.component < dim ?
-                                   side(direction.node, direction.component) :
-                                   dealii::numbers::invalid_unsigned_int;
-    const double       theta   = coefficients.theta;
-    const double       v0      = direction.of(state.velocity_start);
+    const double           end = state.time + state.dt;
+    const Wall<dim> *const decides =
+      moving && direction.component < dim ?
+        side(direction.node, direction.component) :
+        nullptr;
+    const double theta = coefficients.theta;
+    const double v0    = direction.of(state.velocity_start);
     // the grid line's own way: no point may be left behind a piston
-    if (decides != dealii::numbers::invalid_unsigned_int &&
-        wall_motion.moves(decides))
-      return wall_motion.displacement(decides, end) -
-             wall_motion.displacement(decides, state.time) +
+    if (decides != nullptr && decides->is_displaced())
+      return decides->displacement(end) - decides->displacement(state.time) +
              (1. - theta) / coefficients.rate *
                (v0 - velocity(direction, state.time, state.dt));
     const double v1 = velocity(direction, end, state.dt);

@@ -45,7 +45,7 @@ namespace seiche
   {
     const auto &locator = occupancy.locator;
     contacts.clear();
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       if (closed == nullptr || !closed->holds_node(node))
         occupancy.constraints.for_each_held(
           node,
@@ -63,7 +63,7 @@ namespace seiche
                                     WallCondition::unilateral;
                   sides |= direction.component == dim ? 1u : entry.sides;
                   const double edge =
-                    locator.geometry(entry.cell).edges[entry.component];
+                    locator.cells.geometry(entry.cell).edges[entry.component];
                   extent = std::min(extent, edge);
                   width =
                     std::min(width,
@@ -100,7 +100,7 @@ namespace seiche
         contact.margin =
           release_margin * mass *
           (std::sqrt(speed) / state.dt +
-           body_force.value(occupancy.node_position(node), state.time).norm());
+           body_force.value(occupancy.nodes.position(node), state.time).norm());
         contact.pressing =
           std::max(0., state.pressure_guess.local_element(node)) *
           materials.volume_of_node(node, mass) / contact.width;
@@ -138,7 +138,7 @@ namespace seiche
   WallContact<dim>::agree(const bool changed)
   {
     const MPI_Comm communicator =
-      occupancy.scalar_partitioner()->get_mpi_communicator();
+      occupancy.nodes.partitioner()->get_mpi_communicator();
     if (Utilities::MPI::max(changed ? 1 : 0, communicator) == 0)
       return false;
     occupancy.constraints.share();

@@ -28,7 +28,7 @@ namespace seiche
     const auto                   &locator = occupancy.locator;
     const std::vector<Wall<dim>> &walls   = locator.grid.parameters.walls;
     const auto                   &line    = line_integrals(occupancy.fe.degree);
-    const Vector                  zero(occupancy.scalar_partitioner());
+    const Vector                  zero(occupancy.nodes.partitioner());
 
     Vector volume(zero);
     // the same walls on every rank
@@ -38,14 +38,14 @@ namespace seiche
         if (walls[wall].friction > 0. &&
             (!walls[wall].is_side() || walls[wall].side().direction() == d))
           areas.emplace(std::make_pair(wall, d), zero);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         if (!touches_wall(occupancy, cell))
           continue;
         add_volume_integrals<dim>(occupancy, cell, line, volume);
         for (const BoxFace face : GeometryInfo<dim>::face_indices())
           {
-            const Wall<dim> *const wall = locator.wall_at(cell, face);
+            const Wall<dim> *const wall = locator.cells.wall_at(cell, face);
             if (wall == nullptr)
               continue;
             const auto area = areas.find({wall->number, face.direction()});
@@ -58,7 +58,7 @@ namespace seiche
     for (auto &[wall, area] : areas)
       area.compress(VectorOperation::add);
 
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       {
         const double V = volume.local_element(node);
         for (const auto &[wall, area] : areas)

@@ -1,31 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/mesh/cell_locator.h>
+#include <seiche/mesh/cells.h>
 
 #include <deal.II/base/geometry_info.h>
-#include <deal.II/base/mpi.h>
-
-#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
-#include <optional>
+#include <map>
 
-// The part of CellLocator that knows which cells touch.
+// The part of Cells that knows which cells touch.
 namespace seiche
 {
   template <int dim>
   void
-  CellLocator<dim>::find_face_neighbors()
+  Cells<dim>::find_face_neighbors(const CellLattice<dim> &lattice)
   {
-    face_neighbors.resize(n_cells());
-    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+    face_neighbors.resize(size());
+    for (unsigned int cell = 0; cell < size(); ++cell)
       for (unsigned int face = 0; face < 2 * dim; ++face)
         {
           face_neighbors[cell][face] = invalid;
-          if (at_boundary(cell, face))
+          if (wall_at(cell, face) != nullptr)
             continue;
-          if (at_seam(cell, face))
+          if (lattice.at_seam(cell, face))
             {
-              face_neighbors[cell][face] = across_seam(cell, face);
+              const unsigned int other = lattice.across_seam(cell, face);
+              if (other != invalid && level(other) <= level(cell))
+                face_neighbors[cell][face] = other;
               continue;
             }
           const auto other = iterators[cell]->neighbor(face);
@@ -38,23 +37,23 @@ namespace seiche
 
   template <int dim>
   void
-  CellLocator<dim>::find_vertex_neighbors()
+  Cells<dim>::find_vertex_neighbors(const CellLattice<dim> &lattice)
   {
     constexpr unsigned int n_vertices =
       dealii::GeometryInfo<dim>::vertices_per_cell;
-    const std::vector<unsigned int> joined = joined_vertices();
+    const std::vector<unsigned int> joined = joined_vertices(lattice);
     const auto vertex_of = [&](const unsigned int cell, const unsigned int v) {
       return joined[iterators[cell]->vertex_index(v)];
     };
     std::vector<unsigned int> begin(grid.triangulation.n_vertices() + 1, 0);
-    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < size(); ++cell)
       for (unsigned int v = 0; v < n_vertices; ++v)
         ++begin[vertex_of(cell, v) + 1];
     for (unsigned int v = 1; v < begin.size(); ++v)
       begin[v] += begin[v - 1];
     std::vector<unsigned int> next(begin.begin(), begin.end() - 1);
     std::vector<unsigned int> cells_at(begin.back());
-    for (unsigned int cell = 0; cell < n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < size(); ++cell)
       for (unsigned int v = 0; v < n_vertices; ++v)
         cells_at[next[vertex_of(cell, v)]++] = cell;
 
@@ -77,14 +76,13 @@ namespace seiche
                                    vertex_neighbor_list.end());
         vertex_neighbor_begin.push_back(vertex_neighbor_list.size());
       }
-    find_reaches();
   }
 
 
 
   template <int dim>
   void
-  CellLocator<dim>::find_reaches()
+  Cells<dim>::find_reaches()
   {
     reaches.resize(n_owned());
     for (unsigned int cell = 0; cell < n_owned(); ++cell)
@@ -100,42 +98,43 @@ namespace seiche
 
 
   template <int dim>
-  template <typename Number>
-  void
-  CellLocator<dim>::exchange_to_ghosts(std::vector<Number> &cell_values) const
+  std::vector<unsigned int>
+  Cells<dim>::joined_vertices(const CellLattice<dim> &lattice) const
   {
-    AssertDimension(cell_values.size(), n_cells());
-    if (dealii::Utilities::MPI::n_mpi_processes(
-          grid.triangulation.get_communicator()) == 1)
-      return;
-    using Iterator = typename dealii::parallel::distributed::Triangulation<
-      dim>::active_cell_iterator;
-    dealii::GridTools::exchange_cell_data_to_ghosts<Number>(
-      grid.triangulation,
-      [&](const Iterator &cell) -> std::optional<Number> {
-        return cell_values[index(cell)];
-      },
-      [&](const Iterator &cell, const Number value) {
-        cell_values[index(cell)] = value;
-      });
+    std::vector<unsigned int> result(grid.triangulation.n_vertices());
+    for (unsigned int v = 0; v < result.size(); ++v)
+      result[v] = v;
+    if (!grid.parameters.any_periodic())
+      return result;
+    std::map<typename CellLattice<dim>::Index, unsigned int> first;
+    for (unsigned int cell = 0; cell < size(); ++cell)
+      if (lattice.at_seam(cell))
+        for (unsigned int v = 0;
+             v < dealii::GeometryInfo<dim>::vertices_per_cell;
+             ++v)
+          {
+            typename CellLattice<dim>::Index halves;
+            for (unsigned int d = 0; d < dim; ++d)
+              halves[d] = 2 * ((v >> d) & 1u);
+            const unsigned int vertex = iterators[cell]->vertex_index(v);
+            result[vertex] =
+              first.emplace(lattice.place(cell, halves), vertex).first->second;
+          }
+    return result;
   }
 
 
 
   template void
-  CellLocator<2>::find_face_neighbors();
+  Cells<2>::find_face_neighbors(const CellLattice<2> &);
   template void
-  CellLocator<3>::find_face_neighbors();
+  Cells<3>::find_face_neighbors(const CellLattice<3> &);
   template void
-  CellLocator<2>::find_vertex_neighbors();
+  Cells<2>::find_vertex_neighbors(const CellLattice<2> &);
   template void
-  CellLocator<3>::find_vertex_neighbors();
+  Cells<3>::find_vertex_neighbors(const CellLattice<3> &);
   template void
-  CellLocator<2>::exchange_to_ghosts(std::vector<double> &) const;
+  Cells<2>::find_reaches();
   template void
-  CellLocator<3>::exchange_to_ghosts(std::vector<double> &) const;
-  template void
-  CellLocator<2>::exchange_to_ghosts(std::vector<char> &) const;
-  template void
-  CellLocator<3>::exchange_to_ghosts(std::vector<char> &) const;
+  Cells<3>::find_reaches();
 } // namespace seiche

@@ -146,7 +146,7 @@ namespace seiche
   bool
   BodyPieces<dim>::is_apart_from(const unsigned int cell) const
   {
-    return apart(region.bounding_box(), locator.geometry(cell).box());
+    return apart(region.bounding_box(), locator.cells.geometry(cell).box());
   }
 
   template <int dim>
@@ -165,12 +165,12 @@ namespace seiche
   BodyPieces<dim>::content(const LatticeCell &lattice_cell)
   {
     const auto [cell, offset] = lattice_cell;
-    const std::uint64_t key   = locator.lattice_index(cell, offset);
+    const std::uint64_t key   = locator.lattice.index(cell, offset);
     const auto          known = contents.find(key);
     if (known != contents.end())
       return known->second;
 
-    const auto cell_box = locator.lattice_box(cell, offset);
+    const auto cell_box = locator.lattice.box(cell, offset);
     const auto box      = region.lattice_box(cell_box);
     Content    result{Lattice(box, cell_box, per_direction), {}};
     Lattice   &lattice = result.lattice;
@@ -234,19 +234,19 @@ namespace seiche
       k[d] += step;
     else
       {
-        if (!is_last(offset[d], locator.lattice_size(cell)))
+        if (!is_last(offset[d], locator.lattice.size(cell)))
           offset[d] += step;
         else
           {
             Point<dim> x = box.center();
             x[d] += 0.501 * step * box.side_length(d);
-            if (locator.wrapped(x) != x)
+            if (locator.periods.wrapped(x) != x)
               return false; // a body ends at a seam
             cell = locator.find(x, cell);
             if (cell == CellLocator<dim>::invalid)
               return false;
-            const unsigned int n    = locator.lattice_size(cell);
-            const Point<dim>   unit = locator.geometry(cell).to_unit(x);
+            const unsigned int n    = locator.lattice.size(cell);
+            const Point<dim>   unit = locator.cells.geometry(cell).to_unit(x);
             for (unsigned int e = 0; e < dim; ++e)
               offset[e] = std::clamp<double>(unit[e] * n, 0., n - 1.);
           }

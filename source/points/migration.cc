@@ -37,7 +37,7 @@ namespace seiche
     std::map<unsigned int, Packet> sent;
     for (const std::size_t point : emigrants)
       {
-        Packet &packet = sent[locator.owner(point_cells[point])];
+        Packet &packet = sent[locator.cells.owner(point_cells[point])];
         packet.ids.push_back(point_ids[point]);
         for (const auto &array : arrays)
           packet.values.push_back(array[point]);
@@ -58,7 +58,7 @@ namespace seiche
             const unsigned int cell = locator.find(position(size() - 1));
             // a cell of a third rank would be an error of the sender's ghost
             // layer; the point is dropped, and the count in locate() tells
-            if (cell < locator.n_owned())
+            if (cell < locator.cells.n_owned())
               point_cells.back() = cell;
           }
       }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/points/point_cloud.h>
-#include <seiche/utilities/exceptions.h>
-#include <seiche/utilities/state_archive.h>
 
 #include <deal.II/base/exceptions.h>
-
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -138,15 +134,15 @@ namespace seiche
   {
     wrap();
     std::vector<std::size_t> emigrants;
-    const Census             census = find_cells(emigrants);
+    const Found              found = find_cells(emigrants);
     // every rank takes part in the exchange, also when a point is lost here
     if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
       migrate(emigrants);
     // sorting drops what has no cell; a lost point stays for the last frame
-    if (census.n_lost == 0 &&
-        (census.moved || size() > census.n_before || cell_begin.empty()))
+    if (found.n_lost == 0 &&
+        (found.moved || size() > found.n_before || cell_begin.empty()))
       sort();
-    account(census);
+    account(found);
   }
 
 
@@ -160,7 +156,7 @@ namespace seiche
     for (std::size_t p = 0; p < size(); ++p)
       {
         const dealii::Point<dim> here   = position(p);
-        const dealii::Point<dim> inside = locator.wrapped(here);
+        const dealii::Point<dim> inside = locator.periods.wrapped(here);
         for (unsigned int d = 0; d < dim; ++d)
           if (inside[d] != here[d])
             data(PointColumn::position, d)[p] = inside[d];
@@ -181,195 +177,51 @@ namespace seiche
 
 
   template <int dim>
-  typename PointCloud<dim>::Census
+  typename PointCloud<dim>::Found
   PointCloud<dim>::find_cells(std::vector<std::size_t> &emigrants)
   {
-    Census census;
-    census.n_before = size();
+    Found found;
+    found.n_before = size();
     std::array<double *, dim> x;
     for (unsigned int d = 0; d < dim; ++d)
       x[d] = data(PointColumn::position, d);
 
-    for (std::size_t p = 0; p < census.n_before; ++p)
+    for (std::size_t p = 0; p < found.n_before; ++p)
       {
         dealii::Point<dim> here;
         for (unsigned int d = 0; d < dim; ++d)
           here[d] = x[d][p];
         if (point_cells[p] != invalid &&
-            locator.geometry(point_cells[p]).holds(here))
+            locator.cells.geometry(point_cells[p]).holds(here))
           continue;
 
-        // a position that is not a number has no cell and is not put back
+        // a position that is not a number has no cell and stays where it is
         const bool   is_place = std::isfinite(here.norm_square());
         unsigned int cell =
           is_place ? locator.find(here, point_cells[p]) : invalid;
         if (cell == invalid)
           {
-            cell = is_place ? put_back(p) : invalid;
+            cell = is_place ? set_on_wall(p) : invalid;
             if (cell == invalid)
-              judge_outside(p, census);
+              count_outside(p, found);
             else
-              ++census.n_put_back;
+              ++found.n_set_on_walls;
           }
-        if (cell != invalid && !locator.geometry(cell).holds(position(p)))
+        if (cell != invalid && !locator.cells.geometry(cell).holds(position(p)))
           // on a wall up to round-off: put it there, so that no shape
           // function becomes negative
           {
-            const auto inside = locator.geometry(cell).clamped(position(p));
+            const auto inside =
+              locator.cells.geometry(cell).clamped(position(p));
             for (unsigned int d = 0; d < dim; ++d)
               x[d][p] = inside[d];
           }
-        census.moved   = census.moved || cell != point_cells[p];
+        found.moved    = found.moved || cell != point_cells[p];
         point_cells[p] = cell;
-        if (cell != invalid && cell >= locator.n_owned())
+        if (cell != invalid && cell >= locator.cells.n_owned())
           emigrants.push_back(p);
       }
-    return census;
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  PointCloud<dim>::put_back(const std::size_t point)
-  {
-    const dealii::Point<dim> here = position(point);
-    const Wall<dim>         *wall = locator.wall_beyond(here);
-    if (point_cells[point] == invalid || wall == nullptr || wall->is_side() ||
-        wall->condition == WallCondition::no_slip)
-      return invalid;
-    const dealii::Tensor<1, dim> extent =
-      locator.geometry(point_cells[point]).edges;
-    double       nearest = std::numeric_limits<double>::max();
-    unsigned int result = invalid, direction = 0;
-    double       place = 0.;
-    for (unsigned int d = 0; d < dim; ++d)
-      for (const double face : {wall->lower_corner[d], wall->upper_corner[d]})
-        {
-          const double depth = std::abs(here[d] - face);
-          if (depth > 0.5 * extent[d] || depth >= nearest)
-            continue;
-          dealii::Point<dim> on_face = here;
-          on_face[d]                 = face;
-          const unsigned int cell = locator.find(on_face, point_cells[point]);
-          if (cell == invalid)
-            continue;
-          nearest   = depth;
-          result    = cell;
-          direction = d;
-          place     = face;
-        }
-    if (result != invalid)
-      data(PointColumn::position, direction)[point] = place;
-    return result;
-  }
-
-
-
-  template <int dim>
-  void
-  PointCloud<dim>::judge_outside(const std::size_t point, Census &census) const
-  {
-    const Wall<dim>  *wall   = locator.wall_beyond(position(point));
-    const std::string reason = wall == nullptr ?
-                                 "it is not in a cell next to its last one" :
-                                 "it is beyond the wall \"" + wall->name + "\"";
-    bool              finite = true;
-    for (unsigned int d = 0; d < dim; ++d)
-      finite = finite && std::isfinite(position(point)[d]);
-    if (finite && wall != nullptr && wall->condition == WallCondition::open)
-      {
-        ++census.n_outflow;
-        census.outflow_mass += data(PointColumn::mass)[point];
-        return;
-      }
-    if (census.n_lost++ == 0)
-      census.lost_report =
-        lost_report(point, finite ? reason : "its position is not finite");
-  }
-
-
-
-  template <int dim>
-  std::string
-  PointCloud<dim>::lost_report(const std::size_t  point,
-                               const std::string &reason) const
-  {
-    std::string place, velocity, last_cell;
-    double      speed = 0.;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const double v = data(PointColumn::velocity, d)[point];
-        place +=
-          fmt::format("{}{:.6g}", d == 0 ? "" : ", ", position(point)[d]);
-        speed += v * v;
-        if (point_cells[point] != invalid)
-          last_cell +=
-            fmt::format("{}{:.6g}",
-                        d == 0 ? "; its last cell starts at (" : ", ",
-                        locator.geometry(point_cells[point]).lower[d]);
-      }
-    if (!last_cell.empty())
-      last_cell += ")";
-    return fmt::format("Material point {} at ({}) m, speed {:.6g} m/s, is "
-                       "lost: {}{}.",
-                       point_ids[point],
-                       place,
-                       std::sqrt(speed),
-                       reason,
-                       last_cell);
-  }
-
-
-
-  template <int dim>
-  void
-  PointCloud<dim>::account(const Census &census)
-  {
-    // exact in double up to 2^53 points
-    std::array<double, 6> sums   = {{double(census.n_before),
-                                     double(size()),
-                                     double(census.n_outflow),
-                                     double(census.n_lost),
-                                     census.outflow_mass,
-                                     double(census.n_put_back)}};
-    std::string           report = census.lost_report;
-    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-      {
-        const std::array<double, 6> own = sums;
-        dealii::Utilities::MPI::sum(
-          dealii::ArrayView<const double>(own.data(), own.size()),
-          communicator,
-          dealii::ArrayView<double>(sums.data(), sums.size()));
-        if (sums[3] > 0.)
-          for (const std::string &text :
-               dealii::Utilities::MPI::all_gather(communicator, report))
-            if (report.empty())
-              report = text; // all ranks end with the same kind of error
-      }
-    if (sums[3] > 0.)
-      throw NumericalError(
-        fmt::format("{} ({:.0f} such point(s) in all)", report, sums[3]));
-    if (sums[0] != sums[1] + sums[2])
-      throw NumericalError(
-        fmt::format("{:.0f} material points vanished on the way between "
-                    "ranks. Choose a smaller \"Time/Step\".",
-                    sums[0] - sums[1] - sums[2]));
-    global_size = static_cast<std::uint64_t>(sums[1]);
-    outflow += static_cast<std::uint64_t>(sums[2]);
-    mass_of_outflow += sums[4];
-    put_back_total += static_cast<std::uint64_t>(sums[5]);
-  }
-
-
-
-  template <int dim>
-  void
-  PointCloud<dim>::save_or_load(StateArchive &archive)
-  {
-    archive("outflow points", outflow);
-    archive("outflow mass", mass_of_outflow);
-    archive("points put back", put_back_total);
+    return found;
   }
 
 

@@ -33,7 +33,7 @@ namespace seiche
     // counting sort: stable, so that a nearly sorted cloud stays nearly so
     permutation.resize(cell_begin.back());
     for (std::size_t p = 0; p < point_cells.size(); ++p)
-      if (point_cells[p] < locator.n_owned())
+      if (point_cells[p] < locator.cells.n_owned())
         permutation[cell_begin[point_cells[p]]++] = p;
     // every entry has become the next one
     for (std::size_t cell = cell_begin.size() - 1; cell > 0; --cell)
@@ -50,9 +50,9 @@ namespace seiche
   void
   PointCloud<dim>::build_cell_index()
   {
-    cell_begin.assign(locator.n_owned() + 1, 0);
+    cell_begin.assign(locator.cells.n_owned() + 1, 0);
     for (const unsigned int cell : point_cells)
-      if (cell < locator.n_owned())
+      if (cell < locator.cells.n_owned())
         ++cell_begin[cell + 1];
     for (std::size_t cell = 1; cell < cell_begin.size(); ++cell)
       cell_begin[cell] += cell_begin[cell - 1];
@@ -67,7 +67,7 @@ namespace seiche
     const auto by_id = [this](const std::uint32_t a, const std::uint32_t b) {
       return point_ids[a] < point_ids[b];
     };
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
         const auto begin = permutation.begin() + cell_begin[cell];
         const auto end   = permutation.begin() + cell_begin[cell + 1];

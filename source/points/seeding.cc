@@ -166,7 +166,7 @@ namespace seiche
     {
       if (pieces.is_apart_from(cell))
         return;
-      const unsigned int  n = points.locator.lattice_size(cell);
+      const unsigned int  n = points.locator.lattice.size(cell);
       const std::uint64_t n_boxes =
         dealii::Utilities::fixed_power<dim>(std::uint64_t(n));
       for (std::uint64_t i = 0; i < n_boxes; ++i)
@@ -191,12 +191,11 @@ namespace seiche
       const unsigned int  per     = parameters.per_direction;
       const std::uint64_t first_id =
         (static_cast<std::uint64_t>(body_index) << id_bits) |
-        (points.locator.lattice_index(lattice_cell.cell, lattice_cell.offset) *
+        (points.locator.lattice.index(lattice_cell.cell, lattice_cell.offset) *
          dealii::Utilities::fixed_power<dim>(per));
-      const double step =
-        1e-4 *
-        points.locator.lattice_box(lattice_cell.cell, lattice_cell.offset)
-          .side_length(0);
+      const double step = 1e-4 * points.locator.lattice
+                                   .box(lattice_cell.cell, lattice_cell.offset)
+                                   .side_length(0);
 
       for (unsigned int i = 0; i < lattice.n_all; ++i)
         {
@@ -292,7 +291,7 @@ namespace seiche
               PointCloud<dim>                   &points)
   {
     const double n_places =
-      points.locator.n_lattice_cells() *
+      points.locator.lattice.n_lattice_cells() *
       dealii::Utilities::fixed_power<dim>(double(parameters.per_direction));
     input.require(n_places < std::pow(2., id_bits),
                   "Points/Per cell and direction",
@@ -308,7 +307,8 @@ namespace seiche
       {
         const Material &material = materials[bodies[b].material];
         Seeder<dim>     seeder(parameters, bodies, b, material, points);
-        for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
+        for (unsigned int cell = 0; cell < points.locator.cells.n_owned();
+             ++cell)
           seeder.fill(cell);
         smallest_spacing = std::min(smallest_spacing, seeder.smallest_spacing);
         input.require(dealii::Utilities::MPI::max(seeder.largest_share,

@@ -65,8 +65,8 @@ namespace seiche
     typename Occupancy<dim>::Vector
     find_leaving(const Occupancy<dim> &occupancy)
     {
-      typename Occupancy<dim>::Vector result(occupancy.scalar_partitioner());
-      for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+      typename Occupancy<dim>::Vector result(occupancy.nodes.partitioner());
+      for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
         result.local_element(node) = occupancy.constraints.leaves_wall(node);
       result.update_ghost_values();
       return result;
@@ -120,9 +120,10 @@ namespace seiche
       if (has_gaps)
         leaving = find_leaving(view.occupancy);
       std::array<double, 2> parts{}; // excess, gaps
-      for (const unsigned int cell : view.occupancy.occupied_cells())
+      for (const unsigned int cell : view.occupancy.cells.occupied())
         {
-          const double measure = view.occupancy.locator.geometry(cell).measure;
+          const double measure =
+            view.occupancy.locator.cells.geometry(cell).measure;
           parts[0] += (view.fill.inside_share(cell) +
                        view.fill.loose_volume(cell, view.points) -
                        view.fill.cell_fill(cell)) *
@@ -144,10 +145,10 @@ namespace seiche
       if (!view.fill.closed_chambers().any())
         return 0.;
       std::array<double, 2> air_and_volume{};
-      for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+      for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
         if (view.fill.closed_chambers().holds_cell(cell))
           {
-            const double volume = locator.geometry(cell).measure;
+            const double volume = locator.cells.geometry(cell).measure;
             air_and_volume[0] += (1. - view.fill.cell_fill(cell)) * volume;
             air_and_volume[1] += volume;
           }
@@ -163,7 +164,7 @@ namespace seiche
       const double *initial = view.points.data(PointColumn::initial_volume);
       const double *J       = view.points.data(PointColumn::volume_ratio);
       std::array<double, 2> change_and_volume{};
-      for (const unsigned int cell : view.occupancy.occupied_cells())
+      for (const unsigned int cell : view.occupancy.cells.occupied())
         if (!view.fill.closed_chambers().holds_cell(cell))
           for (const std::size_t p : view.points.points_in(cell))
             {
@@ -183,7 +184,7 @@ namespace seiche
       const double *J       = view.points.data(PointColumn::volume_ratio);
       const double *p       = view.points.data(PointColumn::pressure);
       std::array<double, 2> excess_and_volume{};
-      for (const unsigned int cell : view.occupancy.occupied_cells())
+      for (const unsigned int cell : view.occupancy.cells.occupied())
         {
           double volume = 0., change = 0., pressure = 0.;
           for (const std::size_t q : view.points.points_in(cell))

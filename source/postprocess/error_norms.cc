@@ -151,13 +151,13 @@ namespace seiche
     const double theta = of_pressure ? view.pressure_theta : 1.;
     const auto  &field =
       of_pressure ? pressure->field(view) : view.state.velocity_np1;
-    for (unsigned int node = 0; node < view.occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < view.occupancy.nodes.n_own(); ++node)
       {
         // only nodes of occupied cells have mass
         const double mass = view.state.mass.local_element(node);
         if (mass <= 0.)
           continue;
-        Point<dim>     x = view.occupancy.node_position(node);
+        Point<dim>     x = view.occupancy.nodes.position(node);
         Tensor<1, dim> computed;
         for (unsigned int d = 0; d < dim; ++d)
           x[d] +=
@@ -165,7 +165,7 @@ namespace seiche
         for (unsigned int c = 0; c < parameters.n_components(); ++c)
           computed[c] =
             field.local_element(parameters.n_components() * node + c);
-        add(view.occupancy.locator.wrapped(x), computed, mass);
+        add(view.occupancy.locator.periods.wrapped(x), computed, mass);
       }
   }
 
@@ -177,7 +177,7 @@ namespace seiche
     const QGauss<dim>   quadrature(view.occupancy.fe.degree + 1);
     const auto         *p = of_pressure ? &pressure->field(view) : nullptr;
     GridEvaluation<dim> place(view);
-    for (const unsigned int cell : view.occupancy.occupied_cells())
+    for (const unsigned int cell : view.occupancy.cells.occupied())
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
           place.reinit(cell, quadrature.point(q));
@@ -189,9 +189,9 @@ namespace seiche
             computed[0] = place.value(*p);
           else
             computed = place.vector_value(view.state.velocity_np1);
-          add(view.occupancy.locator.wrapped(x),
+          add(view.occupancy.locator.periods.wrapped(x),
               computed,
-              view.occupancy.locator.geometry(cell).measure *
+              view.occupancy.locator.cells.geometry(cell).measure *
                 quadrature.weight(q));
         }
   }
@@ -220,7 +220,7 @@ namespace seiche
         else
           for (unsigned int d = 0; d < dim; ++d)
             computed[d] = v[d][i];
-        add(view.occupancy.locator.wrapped(x), computed, /*weight=*/1.);
+        add(view.occupancy.locator.periods.wrapped(x), computed, /*weight=*/1.);
       }
   }
 

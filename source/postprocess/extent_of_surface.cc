@@ -70,11 +70,11 @@ namespace seiche
   {
     const auto         &locator = view.occupancy.locator;
     GridEvaluation<dim> here(view);
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      if (view.occupancy.is_active(cell))
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
+      if (view.occupancy.cells.is_active(cell))
         for (const BoxFace face : GeometryInfo<dim>::face_indices())
           {
-            const Wall<dim> *const wall = locator.wall_at(cell, face);
+            const Wall<dim> *const wall = locator.cells.wall_at(cell, face);
             if (wall == nullptr)
               continue;
             if (face == top)
@@ -91,7 +91,8 @@ namespace seiche
           }
     for (const MovedPiece<dim> &piece : pieces)
       for (const BoxFace face : GeometryInfo<dim>::face_indices())
-        if (const Wall<dim> *const wall = locator.wall_at(piece.cell, face))
+        if (const Wall<dim> *const wall =
+              locator.cells.wall_at(piece.cell, face))
           for (unsigned int v = 0; v < dim; ++v)
             if (std::abs(piece.unit[v][face.direction()] - face.is_upper()) <
                 slack)
@@ -138,7 +139,7 @@ namespace seiche
     for (const unsigned int cell : under_ceiling)
       {
         Point<dim> unit =
-          locator.geometry(cell).to_unit(locator.image(place, cell));
+          locator.cells.geometry(cell).to_unit(locator.image(place, cell));
         unit[dim - 1] = 1.;
         bool inside   = true;
         for (unsigned int d = 0; d + 1 < dim; ++d)
@@ -153,7 +154,8 @@ namespace seiche
   bool
   ExtentOfSurface<dim>::is_under_lid(const unsigned int cell) const
   {
-    const Wall<dim> *const wall = view.occupancy.locator.wall_at(cell, top);
+    const Wall<dim> *const wall =
+      view.occupancy.locator.cells.wall_at(cell, top);
     return wall != nullptr && wall->number == top;
   }
 
@@ -163,7 +165,7 @@ namespace seiche
   {
     const auto &locator = view.occupancy.locator;
     return is_under_lid(cell) ? view.box.get_boundary_points().second[dim - 1] :
-                                locator.geometry(cell).upper[dim - 1];
+                                locator.cells.geometry(cell).upper[dim - 1];
   }
 
   template <int dim>
@@ -191,7 +193,7 @@ namespace seiche
       {
         SurfacePiece<dim> before = piece.unit;
         for (Point<dim> &x : before)
-          x = locator.geometry(piece.cell).to_real(x);
+          x = locator.cells.geometry(piece.cell).to_real(x);
         result = std::max(result,
                           height<dim>(piece.place,
                                       before,
@@ -232,14 +234,14 @@ namespace seiche
         {
           const double area =
             share_of_upper_face<dim>(view.fill.surface().level_in(cell)) *
-            locator.geometry(cell).measure /
-            locator.geometry(cell).edges[dim - 1];
+            locator.cells.geometry(cell).measure /
+            locator.cells.geometry(cell).edges[dim - 1];
           result.area += area;
           result.volume += area * ceiling_over(cell);
         }
-    for (const unsigned int cell : view.occupancy.occupied_cells())
+    for (const unsigned int cell : view.occupancy.cells.occupied())
       result.volume += view.fill.loose_volume(cell, view.points) *
-                       locator.geometry(cell).measure;
+                       locator.cells.geometry(cell).measure;
     return result;
   }
 

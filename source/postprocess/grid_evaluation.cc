@@ -66,31 +66,31 @@ namespace seiche
   GridEvaluation<dim>::find(const Point<dim> &x, const double theta)
   {
     const CellLocator<dim> &locator = occupancy.locator;
-    const auto [lower, upper]       = locator.domain().get_boundary_points();
+    const auto [lower, upper] = locator.lines.domain().get_boundary_points();
     const CellGeometry<dim> domain(lower, upper);
 
-    Point<dim> xi = domain.clamped(locator.wrapped(x));
+    Point<dim> xi = domain.clamped(locator.periods.wrapped(x));
     cell          = locator.find(xi, cell);
-    if (cell == CellLocator<dim>::invalid || !occupancy.is_active(cell))
+    if (cell == CellLocator<dim>::invalid || !occupancy.cells.is_active(cell))
       return false;
-    reinit(cell, locator.geometry(cell).to_unit(xi));
+    reinit(cell, locator.cells.geometry(cell).to_unit(xi));
     for (unsigned int i = 0; i < max_iterations; ++i)
       {
         const Point<dim> start =
           x - theta * vector_value(view.state.displacement());
-        const Point<dim>   next      = domain.clamped(locator.wrapped(start));
+        const Point<dim> next = domain.clamped(locator.periods.wrapped(start));
         const unsigned int next_cell = locator.find(next, cell);
         // into an obstacle or beyond what this rank knows: stay
         if (next_cell == CellLocator<dim>::invalid ||
-            !occupancy.is_active(next_cell))
+            !occupancy.cells.is_active(next_cell))
           break;
-        reinit(next_cell, locator.geometry(next_cell).to_unit(next));
-        if (is_small(
-              locator.geometry(cell).to_unit(locator.shortest(next - xi))))
+        reinit(next_cell, locator.cells.geometry(next_cell).to_unit(next));
+        if (is_small(locator.cells.geometry(cell).to_unit(
+              locator.periods.shortest(next - xi))))
           break;
         xi = next;
       }
-    return occupancy.is_occupied(cell);
+    return occupancy.cells.is_occupied(cell);
   }
 
   template <int dim>
@@ -100,7 +100,7 @@ namespace seiche
                                     const double       theta)
   {
     const CellLocator<dim>  &locator  = occupancy.locator;
-    const CellGeometry<dim> &geometry = locator.geometry(cell_at_start);
+    const CellGeometry<dim> &geometry = locator.cells.geometry(cell_at_start);
 
     const Point<dim> end = locator.image(x, cell_at_start);
     Point<dim>       xi  = geometry.clamped(end);
@@ -157,14 +157,14 @@ namespace seiche
   Point<dim>
   GridEvaluation<dim>::position() const
   {
-    return occupancy.locator.geometry(cell).to_real(unit);
+    return occupancy.locator.cells.geometry(cell).to_real(unit);
   }
 
   template <int dim>
   const unsigned int *
   GridEvaluation<dim>::nodes() const
   {
-    return occupancy.cell_nodes(cell);
+    return occupancy.nodes.of_cell(cell);
   }
 
   template double

@@ -60,13 +60,13 @@ namespace seiche
       const Fill<dim>        &fill      = view.fill;
       const Occupancy<dim>   &occupancy = view.occupancy;
       const CellLocator<dim> &locator   = occupancy.locator;
-      const auto             &cells     = occupancy.occupied_cells();
+      const auto             &cells     = occupancy.cells.occupied();
       grid.patches.resize(cells.size());
       for (std::size_t k = 0; k < cells.size(); ++k)
         {
           const unsigned int       cell  = cells[k];
           DataOutBase::Patch<dim> &patch = grid.patches[k];
-          const unsigned int      *nodes = occupancy.cell_nodes(cell);
+          const unsigned int      *nodes = occupancy.nodes.of_cell(cell);
           const unsigned int       n     = occupancy.nodes_per_cell();
           patch.patch_index              = k;
           patch.n_subdivisions           = occupancy.fe.degree;
@@ -100,7 +100,7 @@ namespace seiche
             set_vertices(2 * dim + 5, fill.surface().level_set());
           for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell;
                ++v)
-            patch.vertices[v] = locator.geometry(cell).to_real(
+            patch.vertices[v] = locator.cells.geometry(cell).to_real(
               GeometryInfo<dim>::unit_cell_vertex(v));
           for (unsigned int v = 0; v < n; ++v)
             {

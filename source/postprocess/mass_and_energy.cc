@@ -241,9 +241,9 @@ namespace seiche
     totals.speed_max        = std::sqrt(extremes[0]);
     totals.volume_ratio_max = extremes[1];
     totals.volume_ratio_min = -extremes[2];
-    totals.outflow_mass     = view.points.outflow_mass();
+    totals.outflow_mass     = view.points.outflow.mass;
     totals.points           = view.points.n_global();
-    totals.outflow_points   = view.points.n_outflow();
+    totals.outflow_points   = view.points.outflow.points;
     return totals;
   }
 

@@ -22,8 +22,9 @@ namespace seiche
   {
     std::vector<MovedPiece<dim>> result;
     GridEvaluation<dim>          here(view);
-    for (unsigned int cell = 0; cell < view.occupancy.locator.n_owned(); ++cell)
-      if (view.occupancy.is_active(cell))
+    for (unsigned int cell = 0; cell < view.occupancy.locator.cells.n_owned();
+         ++cell)
+      if (view.occupancy.cells.is_active(cell))
         for (const SurfacePiece<dim> &unit :
              surface_pieces<dim>(view.fill.surface().level_in(cell)))
           {

@@ -22,8 +22,8 @@ namespace seiche
     if (is_current)
       return mean;
 
-    mean.reinit(view.occupancy.scalar_partitioner());
-    Vector              mass(view.occupancy.scalar_partitioner());
+    mean.reinit(view.occupancy.nodes.partitioner());
+    Vector              mass(view.occupancy.nodes.partitioner());
     GridEvaluation<dim> place(view);
     const double       *point_mass = view.points.data(PointColumn::mass);
     const double *point_pressure   = view.points.data(PointColumn::pressure);
@@ -42,7 +42,7 @@ namespace seiche
       }
     mass.compress(VectorOperation::add);
     mean.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < view.occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < view.occupancy.nodes.n_own(); ++i)
       if (mass.local_element(i) > 0.)
         mean.local_element(i) /= mass.local_element(i);
     mean.update_ghost_values();

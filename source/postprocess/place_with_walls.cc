@@ -13,7 +13,7 @@ namespace seiche
   {
     const auto      &locator = view.occupancy.locator;
     const auto      &grid    = locator.grid.parameters;
-    const Point<dim> begin   = grid.with_sides(place, locator.domain());
+    const Point<dim> begin   = grid.with_sides(place, locator.lines.domain());
     return begin + theta * (grid.with_sides(place, view.box) - begin);
   }
 

@@ -11,6 +11,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace seiche
@@ -19,61 +20,41 @@ namespace seiche
 
   namespace
   {
-    /// Signed distance of @p x to a box along the direction in which it is
-    /// farthest outside (or nearest to a face, if inside), and that direction.
-    template <int dim>
-    std::pair<double, unsigned int>
-    nearest_face(const Point<dim> &x,
-                 const Point<dim> &lower,
-                 const Point<dim> &upper)
-    {
-      std::pair<double, unsigned int> nearest(
-        -std::numeric_limits<double>::max(), 0);
-      for (unsigned int d = 0; d < dim; ++d)
-        nearest =
-          std::max(nearest,
-                   std::make_pair(std::max(lower[d] - x[d], x[d] - upper[d]),
-                                  d));
-      return nearest;
-    }
-
     /// Normal direction of the wall nearest to @p x, outer sides and faces of
     /// obstacles.
     template <int dim>
     unsigned int
-    wall_normal(const Point<dim> &x, const GridParameters<dim> &box)
+    wall_normal(const Point<dim> &x, const GridParameters<dim> &grid)
     {
-      std::pair<double, unsigned int> nearest(
-        std::numeric_limits<double>::max(), 0);
-      for (unsigned int d = 0; d < dim; ++d)
-        if (!box.is_periodic(d))
-          nearest = std::min(nearest,
-                             {std::abs(std::max(box.lower_corner[d] - x[d],
-                                                x[d] - box.upper_corner[d])),
-                              d});
-      for (const auto &obstacle : box.obstacles())
+      double         nearest = std::numeric_limits<double>::max();
+      Tensor<1, dim> normal;
+      for (const Wall<dim> &wall : grid.walls)
         {
-          const auto face =
-            nearest_face(x, obstacle.lower_corner, obstacle.upper_corner);
-          if (std::abs(face.first) < nearest.first)
-            nearest = {std::abs(face.first), face.second};
+          const double distance = std::abs(wall.distance(x, /*t=*/0.));
+          if (wall.condition != WallCondition::periodic && distance < nearest)
+            {
+              nearest = distance;
+              normal  = wall.normal(x, /*t=*/0.);
+            }
         }
-      return nearest.second;
+      unsigned int result = 0;
+      for (unsigned int d = 1; d < dim; ++d)
+        if (std::abs(normal[d]) > std::abs(normal[result]))
+          result = d;
+      return result;
     }
 
     template <int dim>
     bool
-    holds_fluid(const Point<dim> &x, const GridParameters<dim> &box)
+    holds_fluid(const Point<dim> &x, const GridParameters<dim> &grid)
     {
       // on a wall is exactly there
-      const Point<dim> there = box.with_sides(x, box.domain());
-      if (nearest_face(there, box.lower_corner, box.upper_corner).first > 0.)
-        return false;
-      for (const auto &obstacle : box.obstacles())
-        if (nearest_face(there, obstacle.lower_corner, obstacle.upper_corner)
-              .first < 0.)
-          return false;
-      return true;
+      const Point<dim> there = grid.with_sides(x, grid.domain());
+      return std::all_of(grid.walls.begin(),
+                         grid.walls.end(),
+                         [&](const auto &wall) {
+                           return wall.distance(there, /*t=*/0.) >= 0.;
+                         });
     }
 
     /// What lies beyond a periodic side is at the opposite one.
@@ -243,7 +224,7 @@ namespace seiche
               locator.find(place_with_walls(view, place, 0.));
             const double theta = scalar ? view.pressure_theta : 1.;
             if (cell == CellLocator<dim>::invalid ||
-                locator.owner(cell) != rank ||
+                locator.cells.owner(cell) != rank ||
                 !here.find(place_with_walls(view, place, theta), theta))
               continue;
             if (!scalar)

@@ -70,7 +70,7 @@ namespace seiche
         for (std::size_t i = 0; i < view.points.size(); ++i)
           {
             const double distance =
-              view.points.locator
+              view.points.locator.periods
                 .shortest(view.points.position(i) - track.position)
                 .norm_square();
             if (distance < nearest ||
@@ -124,7 +124,7 @@ namespace seiche
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = found[t * (dim + 1) + d];
         const double radius =
-          view.points.locator.shortest(x - tracks[t].centre).norm();
+          view.points.locator.periods.shortest(x - tracks[t].centre).norm();
         if (first)
           start_radius[t] = radius;
         const auto columns = tracks[t].columns();

@@ -203,7 +203,7 @@ namespace seiche
   WallForces<dim>::collect_shares(const Occupancy<dim> &occupancy)
   {
     shares.clear();
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       {
         // that fix a component: normal to it, and along it
         std::array<unsigned int, dim> n_normal{}, n_along{};
@@ -217,11 +217,11 @@ namespace seiche
             const unsigned int n = n_normal[c] > 0 ? n_normal[c] : n_along[c];
             for (const unsigned int f : forces_of_wall[entry.wall])
               if (counts(
-                    forces[f], entry.wall, occupancy.node_position(node), c))
+                    forces[f], entry.wall, occupancy.nodes.position(node), c))
                 shares.push_back({f, node, c, 1. / n});
           }
       }
-    generation = occupancy.generation();
+    generation = occupancy.nodes.generation();
   }
 
   template <int dim>
@@ -229,7 +229,7 @@ namespace seiche
   WallForces<dim>::execute(const StepView<dim> &view,
                            StatisticsTable     &statistics)
   {
-    if (generation != view.occupancy.generation())
+    if (generation != view.occupancy.nodes.generation())
       collect_shares(view.occupancy);
 
     constexpr unsigned int n = dim + n_rotations<dim>;
@@ -239,7 +239,7 @@ namespace seiche
                               const unsigned int    node,
                               const Tensor<1, dim> &force) {
       Tensor<1, dim> arm =
-        view.occupancy.node_position(node) - forces[f].reference_point;
+        view.occupancy.nodes.position(node) - forces[f].reference_point;
       for (unsigned int d = 0; d < dim; ++d)
         arm[d] +=
           view.theta * view.state.displacement().local_element(dim * node + d);

@@ -48,17 +48,6 @@ namespace seiche
       return condition != WallCondition::open &&
              condition != WallCondition::periodic;
     }
-
-    template <int dim>
-    bool
-    any_side_moves(const GridParameters<dim> &parameters)
-    {
-      return std::any_of(parameters.walls.begin(),
-                         parameters.walls.end(),
-                         [](const auto &wall) {
-                           return !wall.displacement.empty();
-                         });
-    }
   } // namespace
 
   template <int dim>
@@ -76,7 +65,7 @@ namespace seiche
                             StatisticsTable & /*statistics*/)
   {
     if (!series.due(view.time) ||
-        (view.step > 0 && !any_side_moves(parameters)))
+        (view.step > 0 && !parameters.any_displaced()))
       return;
     FieldPatches<dim - 1, dim> walls(view.time, view.step);
     walls.add_scalar("part [-]");

@@ -212,7 +212,7 @@ namespace seiche
         Tensor<1, dim> way;
         for (unsigned int d = 0; d + 1 < dim; ++d)
           way[d] = x[d][i] - place[d];
-        way           = view.occupancy.locator.shortest(way);
+        way           = view.occupancy.locator.periods.shortest(way);
         double weight = 1.;
         for (unsigned int d = 0; d + 1 < dim; ++d)
           weight *= std::max(0., 1. - std::abs(way[d]) / width);

@@ -43,7 +43,7 @@ namespace seiche
       const double *volume = points.data(PointColumn::initial_volume);
       const double *J_p    = points.data(PointColumn::volume_ratio);
       const auto    unit   = [&](const std::size_t p) {
-        return points.locator.geometry(cell).to_unit(points.position(p));
+        return points.locator.cells.geometry(cell).to_unit(points.position(p));
       };
       LinearRatio<dim> J;
       Tensor<1, dim>   center;
@@ -139,7 +139,7 @@ namespace seiche
               if (!begun)
                 quadrature.begin_part(material);
               begun = true;
-              quadrature.push_back(points.locator.geometry(cell).to_unit(
+              quadrature.push_back(points.locator.cells.geometry(cell).to_unit(
                                      points.position(p)),
                                    weight * mass[p],
                                    weight * volume[p],
@@ -186,7 +186,7 @@ namespace seiche
       get_full(const unsigned int cell, CellQuadrature<dim> &quadrature) const
       {
         const Material  &material = materials.of_cell(cell);
-        const double     measure  = points.locator.geometry(cell).measure;
+        const double     measure  = points.locator.cells.geometry(cell).measure;
         const bool       is_equal = ratio == VolumeRatio::one;
         constexpr double same     = 1e-12; // equal cells, in the last digits
         if (is_equal &&
@@ -212,7 +212,7 @@ namespace seiche
             [loose](const std::size_t p) { return loose[p]; },
             quadrature);
         const double inside = fill.surface().inside_share(cell) *
-                              points.locator.geometry(cell).measure;
+                              points.locator.cells.geometry(cell).measure;
         if (inside == 0.)
           return;
         const LinearRatio<dim> J = ratio_of(points, cell, ratio);

@@ -275,7 +275,7 @@ namespace seiche
   GridParameters<dim>::obstacle_at(const dealii::Point<dim> &place) const
   {
     for (const Wall<dim> &obstacle : obstacles())
-      if (obstacle.box().point_inside(place, /*tolerance=*/0.))
+      if (obstacle.distance(place, /*t=*/0.) <= 0.)
         return &obstacle;
     return nullptr;
   }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/parameters/input_file.h>
+#include <seiche/scene/grid_motion.h>
 #include <seiche/scene/largest_wall_speed.h>
 #include <seiche/scene/sample_times.h>
-#include <seiche/scene/wall_motion.h>
-#include <seiche/scene/wall_velocity.h>
 #include <seiche/utilities/exceptions.h>
 
 #include <algorithm>
@@ -37,20 +35,17 @@ namespace seiche
 
     template <int dim>
     double
-    speed_along_walls(const GridParameters<dim> &grid,
-                      const InputFile           &input,
-                      const double               end_time)
+    speed_along_walls(const GridParameters<dim> &grid, const double end_time)
     {
-      const WallVelocity<dim> velocity(grid, input, end_time);
-      double                  result = 0.;
-      for (unsigned int wall = 0; wall < grid.walls.size(); ++wall)
-        if (!grid.walls[wall].velocity.empty())
-          for (const Point<dim> &x :
-               corners_and_middles(grid.walls[wall].box()))
+      double result = 0.;
+      for (const Wall<dim> &wall : grid.walls)
+        if (wall.slides())
+          for (const Point<dim> &x : corners_and_middles(wall.box()))
             try
               {
                 for (const double t : sample_times(end_time))
-                  result = std::max(result, velocity.value(wall, x, t).norm());
+                  result =
+                    std::max(result, wall.velocity(x, t, end_time).norm());
               }
             catch (const InputError &)
               {}
@@ -59,11 +54,9 @@ namespace seiche
 
     template <int dim>
     double
-    speed_of_sides(const GridParameters<dim> &grid,
-                   const InputFile           &input,
-                   const double               end_time)
+    speed_of_sides(const GridParameters<dim> &grid, const double end_time)
     {
-      const WallMotion<dim> motion(grid, input, end_time);
+      const GridMotion<dim> motion(grid, end_time);
       double                result = 0., before = 0.;
       if (motion.any())
         for (const double t : sample_times(end_time))
@@ -112,11 +105,10 @@ namespace seiche
   double
   largest_wall_speed(const GridParameters<dim> &grid,
                      const TankMotion<dim>     &tank,
-                     const InputFile           &input,
                      const double               end_time)
   {
-    return std::max({speed_along_walls(grid, input, end_time),
-                     speed_of_sides(grid, input, end_time),
+    return std::max({speed_along_walls(grid, end_time),
+                     speed_of_sides(grid, end_time),
                      speed_of_tank(grid, tank, end_time)});
   }
 
@@ -125,11 +117,9 @@ namespace seiche
   template double
   largest_wall_speed(const GridParameters<2> &,
                      const TankMotion<2> &,
-                     const InputFile &,
                      const double);
   template double
   largest_wall_speed(const GridParameters<3> &,
                      const TankMotion<3> &,
-                     const InputFile &,
                      const double);
 } // namespace seiche

@@ -25,7 +25,7 @@ namespace seiche
                         "\" is periodic, and this side is the same place: set "
                         "both to periodic, or none.");
         for (const unsigned int side : {id, other})
-          input.require(walls[side].displacement.empty(),
+          input.require(walls[side].displacement_text.empty(),
                         walls[side].path("displacement"),
                         "a periodic side is no wall; only walls move.");
       }

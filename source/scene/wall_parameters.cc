@@ -114,7 +114,7 @@ namespace seiche
                           conditions(/*of_obstacle=*/false).first));
     for (unsigned int id = 0; id < 2 * dim; ++id)
       prm.add_parameter(walls[id].side_entry() + " displacement",
-                        walls[id].displacement,
+                        walls[id].displacement_text,
                         "Motion of the wall along its normal, as of a piston: "
                         "an expression of t, positive along the coordinate, 0 "
                         "at t = 0. The grid is stretched up to the next "
@@ -128,7 +128,7 @@ namespace seiche
                       dealii::Patterns::Selection("sticking|unilateral"));
     for (unsigned int id = 0; id < 2 * dim; ++id)
       prm.add_parameter(walls[id].side_entry() + " velocity",
-                        walls[id].velocity,
+                        walls[id].velocity_text,
                         "Velocity of a no-slip wall along itself, as of a lid "
                         "or a belt: one expression of x, y[, z], t per "
                         "direction, separated by \";\"; empty: at rest. "
@@ -172,7 +172,7 @@ namespace seiche
                           dealii::Patterns::Selection(
                             conditions(/*of_obstacle=*/true).first));
         prm.add_parameter("Velocity",
-                          obstacle.velocity,
+                          obstacle.velocity_text,
                           "Velocity of the faces of a no-slip obstacle along "
                           "themselves, as of a turning cylinder: one "
                           "expression of x, y[, z], t per direction, "
@@ -203,6 +203,8 @@ namespace seiche
         else
           check_obstacle(input, id);
       }
+    for (Wall<dim> &wall : walls)
+      wall.build(input);
     check_friction(input);
     check_periodic(input);
   }
@@ -304,6 +306,28 @@ namespace seiche
       input.cites("hueeber2005");
     if (any_friction())
       input.cites("schlichting1979");
+  }
+
+
+
+  template <int dim>
+  bool
+  GridParameters<dim>::any_displaced() const
+  {
+    return std::any_of(walls.begin(), walls.end(), [](const auto &wall) {
+      return wall.is_displaced();
+    });
+  }
+
+
+
+  template <int dim>
+  bool
+  GridParameters<dim>::any_moving() const
+  {
+    return std::any_of(walls.begin(), walls.end(), [](const auto &wall) {
+      return wall.is_displaced() || wall.slides();
+    });
   }
 
 

@@ -161,7 +161,7 @@ namespace seiche
             dealii::Point<dim> place;
             for (unsigned int d = 0; d < dim; ++d)
               place[d] = x[dim * i + d];
-            if (points.locator.find(place) >= points.locator.n_owned())
+            if (points.locator.find(place) >= points.locator.cells.n_owned())
               continue;
             own.push_back(i);
             points.insert(ids[i], place, {}, 0., 0.);

@@ -39,7 +39,7 @@ namespace seiche
     : scene(planned.scene)
     , timer(timer_tree)
     , communicator(ranks)
-    , wall_motion(scene.grid, scene.input, scene.time.end_time)
+    , grid_motion(scene.grid, scene.time.end_time)
     , grid(scene.grid, communicator)
     , locator(grid)
     , time_scheme(make_time_scheme<dim>(scene.time_scheme,
@@ -59,8 +59,7 @@ namespace seiche
     , transfer(scene.transfer, fill, materials, scene.volume_update())
     , tank_motion(scene.make_tank_motion())
     , body_force(scene.body_force, tank_motion, scene.input)
-    , wall_velocity(scene.grid, scene.input, scene.time.end_time)
-    , wall_conditions(wall_velocity, wall_motion, occupancy)
+    , wall_conditions(occupancy)
     , convex_edges(occupancy, formulation.has_pressure())
     , row_mass(occupancy, needs_row_mass(scene))
     , wall_friction(occupancy, row_mass)
@@ -88,11 +87,11 @@ namespace seiche
     if (start == nullptr)
       return seed_bodies(
         scene.seeding, bodies, scene.input, scene.materials, points);
-    if (wall_motion.any())
+    if (grid_motion.any())
       {
         double time = 0.;
         start->state().section("time", [&]() { start->state()("time", time); });
-        locator.move(wall_motion.lines(time));
+        locator.move(grid_motion, time);
       }
     start->insert_own_points(points);
     points.locate();
@@ -109,9 +108,9 @@ namespace seiche
   void
   Problem<dim>::move_grid(const double time)
   {
-    if (!wall_motion.any())
+    if (!grid_motion.any())
       return;
-    locator.move(wall_motion.lines(time));
+    locator.move(grid_motion, time);
     occupancy.update_places();
   }
 
@@ -179,7 +178,7 @@ namespace seiche
   double
   Problem<dim>::wall_way(const double time, const double dt) const
   {
-    return wall_motion.largest_way(time, dt) / occupancy.smallest_extent();
+    return grid_motion.largest_way(time, dt) / occupancy.smallest_extent();
   }
 
   template class Problem<2>;

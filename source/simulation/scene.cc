@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_problems.h>
-#include <seiche/scene/wall_motion.h>
-#include <seiche/scene/wall_velocity.h>
+#include <seiche/scene/grid_motion.h>
 #include <seiche/simulation/accepted_failures.h>
 #include <seiche/simulation/scene.h>
 #include <seiche/utilities/exceptions.h>
@@ -25,8 +24,7 @@ namespace seiche
     {
       scene.input.require(
         !(scene.grid.any_unilateral() || scene.grid.any_friction() ||
-          WallMotion<dim>(scene.grid, scene.input, scene.time.end_time)
-            .any()) ||
+          scene.grid.any_displaced()) ||
           !scene.time_scheme.needs_acceleration(),
         "Time/Scheme",
         "unilateral walls, walls with friction and walls with a "
@@ -179,8 +177,11 @@ namespace seiche
     const bool has_gradient = Transfer<dim>::columns(transfer).count(
                                 PointColumn::velocity_gradient) > 0;
     require_all(
-      {[&]() { (void)WallVelocity<dim>(grid, input_file, time.end_time); },
-       [&]() { (void)WallMotion<dim>(grid, input_file, time.end_time); },
+      {[&]() {
+         for (const Wall<dim> &wall : grid.walls)
+           wall.check(input_file, grid.domain(), time.end_time);
+         GridMotion<dim>(grid, time.end_time).check(input_file);
+       },
        [&]() { (void)make_tank_motion(); },
        [&]() { free_surface.check(input_file, is_mixed); },
        [&]() {

@@ -68,10 +68,8 @@ namespace seiche
                            const std::vector<SampledBody<dim>> &samples,
                            const BodyForce<dim>                &body_force,
                            const double                         finest_edge)
-    : walls(largest_wall_speed(scene.grid,
-                               body_force.tank,
-                               scene.input,
-                               scene.time.end_time))
+    : walls(
+        largest_wall_speed(scene.grid, body_force.tank, scene.time.end_time))
     , modulus(scene.fluid.volume_law.bulk_modulus)
     , is_mixed(scene.formulation.is_mixed())
     , step(scene.time.step)

@@ -23,7 +23,7 @@ namespace seiche
   LineStyle
   wall_style(const GridParameters<dim> &grid, const unsigned int side)
   {
-    if (!grid.walls[side].displacement.empty())
+    if (grid.walls[side].is_displaced())
       return moving_wall;
     for (const WallConditionEntry &entry : wall_condition_table)
       if (entry.condition == grid.walls[side].condition)

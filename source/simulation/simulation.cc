@@ -164,10 +164,10 @@ namespace seiche
     problem.points_to_grid(state);
     is_on_grid                      = true;
     const Occupancy<dim> &occupancy = problem.occupancy;
-    occupied_max = std::max(occupied_max, occupancy.n_global_occupied_cells());
+    occupied_max = std::max(occupied_max, occupancy.cells.n_global());
     unknowns_max =
       std::max<std::uint64_t>(unknowns_max,
-                              occupancy.n_global_nodes() *
+                              occupancy.nodes.n_global() *
                                 (dim + problem.formulation.has_pressure()));
   }
 
@@ -224,7 +224,7 @@ namespace seiche
       problem.transfer.grid_to_points(state, problem.points, limit);
     if (accepts)
       accepted_failures.account(
-        step_solver.effort(), n_held, state.time, communicator, report);
+        step_solver.newton_result(), n_held, state.time, communicator, report);
   }
 
   template <int dim>
@@ -234,7 +234,7 @@ namespace seiche
     const TimerTree::Scope scope(timer, "density projection");
     const double rate = std::max(record.speed, step_solver.fall_rate());
     problem.density_projection.apply(rate * state.dt,
-                                     problem.wall_motion.box(state.time +
+                                     problem.grid_motion.box(state.time +
                                                              state.dt),
                                      problem.points);
   }

@@ -99,11 +99,11 @@ namespace seiche
   void
   Simulation<dim>::count_iterations()
   {
-    const NewtonResult &effort = step_solver.effort();
-    record.newton += effort.iterations;
-    record.krylov += effort.krylov_iterations;
-    newton_total += effort.iterations;
-    krylov_total += effort.krylov_iterations;
+    const NewtonResult &newton = step_solver.newton_result();
+    record.newton += newton.iterations;
+    record.krylov += newton.krylov_iterations;
+    newton_total += newton.iterations;
+    krylov_total += newton.krylov_iterations;
   }
 
   template <int dim>

@@ -69,7 +69,7 @@ namespace seiche
     view.theta             = dt == 0. ? 0. : step_solver.coefficients().theta;
     view.pressure_theta    = at_end ? 1. : view.theta;
     view.half_spacing      = problem.seeding.half_spacing;
-    view.box               = problem.wall_motion.box(view.time);
+    view.box               = problem.grid_motion.box(view.time);
     view.newton_iterations = record.newton;
     view.krylov_iterations = record.krylov;
     view.tank =
@@ -88,14 +88,14 @@ namespace seiche
     const double           time   = time_stepper.time();
     const double           dt     = step == 0 ? 0. : state.dt;
     const StepView<dim>    now    = step_view(dt);
-    std::vector<double>    values = {
-         static_cast<double>(step),
-         time,
-         dt,
-         now.pressure_time,
-         static_cast<double>(record.newton),
-         static_cast<double>(record.krylov),
-         static_cast<double>(problem.occupancy.n_global_occupied_cells())};
+    std::vector<double>    values = {static_cast<double>(step),
+                                     time,
+                                     dt,
+                                     now.pressure_time,
+                                     static_cast<double>(record.newton),
+                                     static_cast<double>(record.krylov),
+                                     static_cast<double>(
+                                    problem.occupancy.cells.n_global())};
     if (scene.time.controls_error())
       values.push_back(time_stepper.error());
     for (const auto &change : problem.point_control.account())
@@ -138,7 +138,7 @@ namespace seiche
     summary["cells"]  = problem.grid.triangulation.n_global_active_cells();
     summary["occupied_cells_max"] = occupied_max;
     summary["work_imbalance"]     = problem.mesh_adaptation.imbalance();
-    summary["points_put_back"]    = problem.points.n_put_back();
+    summary["points_put_back"]    = problem.points.outflow.set_on_walls;
     summary["dofs_max"]           = unknowns_max;
     summary["end_time"]           = time_stepper.time();
     summary["steps"]              = time_stepper.steps();

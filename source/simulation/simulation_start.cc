@@ -78,7 +78,8 @@ namespace seiche
     archive.section("time", [&]() { time_stepper.save_or_load(archive); });
     archive.section("accepted failures",
                     [&]() { accepted_failures.save_or_load(archive); });
-    archive.section("points", [&]() { problem.points.save_or_load(archive); });
+    archive.section("points",
+                    [&]() { problem.points.outflow.save_or_load(archive); });
     archive.section("point control",
                     [&]() { problem.point_control.save_or_load(archive); });
     archive.section("statistics", [&]() { statistics.save_or_load(archive); });

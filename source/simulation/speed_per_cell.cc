@@ -15,12 +15,13 @@ namespace seiche
     for (unsigned int d = 0; d < dim; ++d)
       {
         const double *velocity = points.data(PointColumn::velocity, d);
-        for (const unsigned int cell : problem.occupancy.occupied_cells())
+        for (const unsigned int cell : problem.occupancy.cells.occupied())
           {
             double speed = 0.;
             for (const std::size_t p : points.points_in(cell))
               speed = std::max(speed, std::abs(velocity[p]));
-            largest = std::max(largest, speed / problem.locator.reach(cell)[d]);
+            largest =
+              std::max(largest, speed / problem.locator.cells.reach(cell)[d]);
           }
       }
     // now and over a step, which may take a wall there and back

@@ -77,7 +77,7 @@ namespace seiche
     const double way = problem.wall_way(state.time, state.dt);
     if (way > largest_wall_way * problem.scene.time.maximum_displacement)
       throw StepFailure(fmt::format("a wall moves by {:.3g} cells", way));
-    if (problem.wall_motion.any() && walls_squeeze_chamber(state))
+    if (problem.grid_motion.any() && walls_squeeze_chamber(state))
       throw NumericalError(fmt::format(
         "t = {:.6g} s: walls change the volume of a chamber that is full of "
         "incompressible fluid, or counts as full: half a cell of air under a "
@@ -100,10 +100,10 @@ namespace seiche
       if (closed->is_closed(chamber))
         {
           const double before =
-            chambers.volume(chamber, problem.wall_motion.lines(state.time));
+            chambers.volume(chamber, problem.grid_motion.lines(state.time));
           const double after =
             chambers.volume(chamber,
-                            problem.wall_motion.lines(state.time + state.dt));
+                            problem.grid_motion.lines(state.time + state.dt));
           if (std::abs(after / before - 1.) > largest_volume_change)
             return true;
         }
@@ -179,8 +179,8 @@ namespace seiche
         closed->level_pressure(state.solution.block(1));
         state.solution.update_ghost_values();
       }
-    inertia_offset.reinit(problem.occupancy.vector_partitioner());
-    rate_offset.reinit(problem.occupancy.vector_partitioner());
+    inertia_offset.reinit(problem.occupancy.nodes.vector_partitioner());
+    rate_offset.reinit(problem.occupancy.nodes.vector_partitioner());
     scheme.offsets(state, state.dt, inertia_offset, rate_offset);
     problem.wall_conditions.set_displacement(state, step, rate_offset);
     problem.wall_contact.begin_iteration(step, rate_offset);

@@ -64,7 +64,7 @@ namespace seiche
     const auto &faces = fill.ghost_faces();
     auto        face  = weak_form->acts_on_faces ? faces.begin() : faces.end();
     std::tuple<GhostFaceMatrix<dim, 1>, GhostFaceMatrix<dim, 2>> matrices;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         with_degree(occupancy.degree(cell),
                     [&](const auto degree) { add_cell(cell, degree); });
@@ -75,8 +75,8 @@ namespace seiche
           {
             const double size = // of the smaller cell, the face belongs to it
               std::pow(
-                std::min(occupancy.locator.geometry(face->lower).measure,
-                         occupancy.locator.geometry(face->upper).measure),
+                std::min(occupancy.locator.cells.geometry(face->lower).measure,
+                         occupancy.locator.cells.geometry(face->upper).measure),
                 1. / dim);
             const auto add = [&](const auto degree) {
               auto &matrix = std::get<degree - 1>(matrices);
@@ -135,7 +135,7 @@ namespace seiche
                                    BlockVector          &sums)
   {
     sums = 0.;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         auto &data = this->template gather<degree>(cell, state);
         formulation.residual_moments->residual(data);
@@ -164,8 +164,8 @@ namespace seiche
   {
     if (!formulation.has_pressure() || !occupancy.constraints.exist_obliques())
       return;
-    Vector force(occupancy.vector_partitioner());
-    for (const unsigned int cell : occupancy.occupied_cells())
+    Vector force(occupancy.nodes.vector_partitioner());
+    for (const unsigned int cell : occupancy.cells.occupied())
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         const auto nodes = occupancy.template unknowns<degree>(cell);
         if (occupancy.constraints.any_oblique(nodes))
@@ -253,7 +253,8 @@ namespace seiche
       const bool reusable =
         at_rest && !condensed && !oblique && fill.is_full(cell);
       matrix.prefetch_cell(cell);
-      if (!reusable || !occupancy.locator.geometry(cell).is_congruent(last))
+      if (!reusable ||
+          !occupancy.locator.cells.geometry(cell).is_congruent(last))
         {
           this->template gather<degree>(cell, state);
           weak_form->tangent(data);
@@ -301,21 +302,21 @@ namespace seiche
       return body_force.constant_value().norm();
     // not of all nodes: how many are numbered around the fluid depends on the
     // ranks and on earlier steps
-    std::vector<char> has_fluid(occupancy.n_local_nodes(), 0);
+    std::vector<char> has_fluid(occupancy.nodes.n_local(), 0);
     double            largest = 0.;
     const double      t       = time + step.theta * step.dt;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-        if (const unsigned int node = occupancy.cell_nodes(cell)[a];
+        if (const unsigned int node = occupancy.nodes.of_cell(cell)[a];
             !has_fluid[node])
           {
             has_fluid[node] = 1;
             largest         = std::max(
               largest,
-              body_force.value(occupancy.node_position(node), t).norm());
+              body_force.value(occupancy.nodes.position(node), t).norm());
           }
     return Utilities::MPI::max(
-      largest, occupancy.scalar_partitioner()->get_mpi_communicator());
+      largest, occupancy.nodes.partitioner()->get_mpi_communicator());
   }
 
   template <int dim>

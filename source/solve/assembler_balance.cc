@@ -58,15 +58,15 @@ namespace seiche
   Assembler<dim>::balance(const GridState<dim> &state)
   {
     StepBalance<dim> sums;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         this->template add_balance<degree>(cell, state, sums);
       });
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         sums.walls[c] += state.reaction.local_element(dim * node + c);
     const MPI_Comm communicator =
-      occupancy.scalar_partitioner()->get_mpi_communicator();
+      occupancy.nodes.partitioner()->get_mpi_communicator();
     sums.inertia     = Utilities::MPI::sum(sums.inertia, communicator);
     sums.body        = Utilities::MPI::sum(sums.body, communicator);
     sums.walls       = Utilities::MPI::sum(sums.walls, communicator);

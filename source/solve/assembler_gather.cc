@@ -14,7 +14,7 @@ namespace seiche
     constexpr unsigned int n_nodes = CellData<dim, degree>::n_nodes;
     CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
     data.coefficients              = step;
-    data.geometry                  = occupancy.locator.geometry(cell);
+    data.geometry                  = occupancy.locator.cells.geometry(cell);
     data.lumped                    = formulation.lumps_inertia;
     data.is_cut                    = fill.is_cut(cell);
     data.fluid                     = materials.mean(cell);

@@ -25,22 +25,23 @@ namespace seiche
     if (materials.are_uniform())
       return true;
     double least = std::numeric_limits<double>::max(), largest = 0.;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         const FluidProperties fluid = materials.mean(cell);
         const double          product =
           fluid.density *
           formulation.subscales
-            ->evaluate(tau_arguments(occupancy.locator.geometry(cell).size(),
-                                     occupancy.degree(cell),
-                                     fluid,
-                                     /*force=*/0.))
+            ->evaluate(
+              tau_arguments(occupancy.locator.cells.geometry(cell).size(),
+                            occupancy.degree(cell),
+                            fluid,
+                            /*force=*/0.))
             .momentum;
         least   = std::min(least, product);
         largest = std::max(largest, product);
       }
     const MPI_Comm communicator =
-      occupancy.scalar_partitioner()->get_mpi_communicator();
+      occupancy.nodes.partitioner()->get_mpi_communicator();
     return Utilities::MPI::max(largest, communicator) <
            alike_within * Utilities::MPI::min(least, communicator);
   }
@@ -53,7 +54,7 @@ namespace seiche
     std::vector<double> result;
     if (!materials.largest().is_viscous())
       return result;
-    result.resize(occupancy.n_own_nodes(),
+    result.resize(occupancy.nodes.n_own(),
                   materials.largest().stiffness(step.rate));
     if (!materials.are_uniform())
       {

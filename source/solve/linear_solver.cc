@@ -149,7 +149,7 @@ namespace seiche
     preconditioner.pressure_row_scale = row_scale;
 
     const types::global_dof_index unknowns =
-      occupancy.n_global_nodes() * matrix->n_fields();
+      occupancy.nodes.n_global() * matrix->n_fields();
     direct = parameters.solver == "direct" ||
              (parameters.solver == "automatic" && unknowns < direct_below);
     rescue = parameters.solver == "automatic" && unknowns < rescue_below;

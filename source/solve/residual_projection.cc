@@ -104,7 +104,7 @@ namespace seiche
   ResidualProjection<dim>::make_diagonal()
   {
     inverse_diagonal.reinit(sums);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         this->template add_diagonal<degree>(cell);
       });
@@ -126,7 +126,7 @@ namespace seiche
     src.update_ghost_values();
     dst = 0.;
     dst.zero_out_ghost_values();
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         this->template add_products<degree>(cell, src, dst);
       });

@@ -91,11 +91,11 @@ namespace seiche
             assembler.reference_tau(h, /*force=*/0.).momentum);
     const std::vector<double> surface = surface_term(c.inertia);
     if (method.factorises_small &&
-        matrix->occupancy.n_global_nodes() < cholesky_below<dim> &&
+        matrix->occupancy.nodes.n_global() < cholesky_below<dim> &&
         Utilities::MPI::n_mpi_processes(communicator) == 1)
       {
         LowerTriangle L = scaled_triangle(scale, surface);
-        if (cholesky.initialize(L, matrix->occupancy.generation()))
+        if (cholesky.initialize(L, matrix->occupancy.nodes.generation()))
           return false;
       }
     hierarchy = method.make(scaled_rows(scale, surface), communicator);
@@ -129,7 +129,7 @@ namespace seiche
       for (int i = 0; i < S.NumMyRows(); ++i)
         diagonal_entry(S, i) *= 1. + closed_shift;
     return rows_of(S,
-                   matrix->occupancy.scalar_partitioner()->local_range().first);
+                   matrix->occupancy.nodes.partitioner()->local_range().first);
   }
 
   template <int dim>
@@ -137,14 +137,14 @@ namespace seiche
   SchurComplement<dim>::surface_term(const double inertia) const
   {
     BlockVector x(2), y(2);
-    x.block(0).reinit(matrix->occupancy.vector_partitioner());
-    x.block(1).reinit(matrix->occupancy.scalar_partitioner());
+    x.block(0).reinit(matrix->occupancy.nodes.vector_partitioner());
+    x.block(1).reinit(matrix->occupancy.nodes.partitioner());
     x.collect_sizes();
     y.reinit(x);
     x.block(1) = 1.;
     matrix->gradient(x.block(0), x.block(1));
     x.block(1)               = 0.;
-    const unsigned int n_own = matrix->occupancy.n_own_nodes();
+    const unsigned int n_own = matrix->occupancy.nodes.n_own();
     for (unsigned int node = 0; node < n_own; ++node)
       for (unsigned int i = 0; i < dim; ++i)
         x.block(0).local_element(node * dim + i) /= matrix->diagonal(node, i);
@@ -184,7 +184,7 @@ namespace seiche
   {
     const NodePattern<dim> &pattern = matrix->sparsity();
     DistributedRows         result;
-    result.first = matrix->occupancy.scalar_partitioner()->local_range().first;
+    result.first = matrix->occupancy.nodes.partitioner()->local_range().first;
     for (unsigned int node = 0; node < surface.size(); ++node)
       {
         const std::size_t before = result.column.size();

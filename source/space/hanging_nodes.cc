@@ -17,12 +17,13 @@ namespace seiche
                             const NodeMasters<dim> &masters)
   {
     n_nodes = dof_handler.get_fe().n_dofs_per_cell();
-    cell_nodes.assign(locator.n_cells() * n_nodes, numbers::invalid_dof_index);
-    matrix_of_cell.assign(locator.n_cells(), nullptr);
+    cell_nodes.assign(locator.cells.size() * n_nodes,
+                      numbers::invalid_dof_index);
+    matrix_of_cell.assign(locator.cells.size(), nullptr);
     matrices.clear();
 
     std::vector<types::global_dof_index> dofs;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
         get_nodes(dof_handler, locator, cell, dofs);
         resolve(cell, dofs, masters);
@@ -107,13 +108,13 @@ namespace seiche
     GridTools::exchange_cell_data_to_ghosts<Packet>(
       triangulation,
       [&](const Iterator &iterator) -> std::optional<Packet> {
-        const unsigned int cell = locator.index(iterator);
+        const unsigned int cell = locator.cells.index(iterator);
         return Packet({nodes(cell), nodes(cell) + n_nodes},
                       matrix(cell) != nullptr ? matrix(cell)->dense() :
                                                 std::vector<double>());
       },
       [&](const Iterator &iterator, const Packet &packet) {
-        const unsigned int cell = locator.index(iterator);
+        const unsigned int cell = locator.cells.index(iterator);
         std::copy(packet.first.begin(),
                   packet.first.end(),
                   &cell_nodes[cell * n_nodes]);

@@ -60,7 +60,7 @@ namespace seiche
     rules.clear();
     matrices.clear();
     known.clear();
-    rule_of_cell.assign(locator.n_cells(), nullptr);
+    rule_of_cell.assign(locator.cells.size(), nullptr);
     std::vector<double> plain(n * n, 0.);
     for (unsigned int a = 0; a < n; ++a)
       {
@@ -77,7 +77,7 @@ namespace seiche
     std::map<types::global_dof_index, Parents> parents;
     std::vector<types::global_dof_index>       dofs;
     if (masters.any_hanging())
-      for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+      for (unsigned int cell = 0; cell < locator.cells.size(); ++cell)
         {
           get_nodes(dof_handler, locator, cell, dofs);
           for (unsigned int a = 0; a < n; ++a)
@@ -97,13 +97,13 @@ namespace seiche
                 }
             }
         }
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       if (hanging->matrix(cell) != nullptr)
         resolve(cell, parents);
     exchange(locator);
     other_vertices.clear();
-    vertices_of_cell.assign(locator.n_cells(), -1);
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+    vertices_of_cell.assign(locator.cells.size(), -1);
+    for (unsigned int cell = 0; cell < locator.cells.size(); ++cell)
       if (hanging->matrix(cell) != nullptr)
         find_vertices(cell);
   }
@@ -178,12 +178,12 @@ namespace seiche
     GridTools::exchange_cell_data_to_ghosts<Packet>(
       triangulation,
       [&](const Iterator &iterator) -> std::optional<Packet> {
-        const NodeMatrix *own = rule_of_cell[locator.index(iterator)];
+        const NodeMatrix *own = rule_of_cell[locator.cells.index(iterator)];
         return own != nullptr ? own->dense() : Packet();
       },
       [&](const Iterator &iterator, const Packet &packet) {
         if (!packet.empty())
-          rule_of_cell[locator.index(iterator)] =
+          rule_of_cell[locator.cells.index(iterator)] =
             rules.store(packet, Basis<dim, 2>::n_nodes);
       });
   }

@@ -25,8 +25,8 @@ namespace seiche
           {
             known.sides |= wall.sides;
             known.is_normal |= wall.is_normal;
-            if (locator.geometry(wall.cell).measure <
-                locator.geometry(known.cell).measure)
+            if (locator.cells.geometry(wall.cell).measure <
+                locator.cells.geometry(known.cell).measure)
               known.cell = wall.cell;
             return;
           }
@@ -70,9 +70,8 @@ namespace seiche
   {
     // masters of a ghost cell's hanging nodes may lie beyond the ghost layer
     const unsigned int                   n_nodes = fe.n_dofs_per_cell();
-    std::vector<types::global_dof_index> indices(hanging.nodes(0),
-                                                 hanging.nodes(0) +
-                                                   locator.n_cells() * n_nodes);
+    std::vector<types::global_dof_index> indices(
+      hanging.nodes(0), hanging.nodes(0) + locator.cells.size() * n_nodes);
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     IndexSet relevant(dof_handler.n_dofs());
@@ -82,7 +81,7 @@ namespace seiche
       relevant,
       locator.grid.triangulation.get_communicator());
 
-    cell_nodes.resize(locator.n_cells() * n_nodes);
+    cell_nodes.resize(locator.cells.size() * n_nodes);
     for (std::size_t i = 0; i < cell_nodes.size(); ++i)
       cell_nodes[i] = layout->global_to_local(hanging.nodes(0)[i]);
   }
@@ -93,16 +92,16 @@ namespace seiche
   {
     const unsigned int n_nodes = fe.n_dofs_per_cell();
     positions.assign(size(), Point<dim>());
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.size(); ++cell)
       for (unsigned int a = 0; a < n_nodes; ++a)
         if (!hanging.hangs(cell, a))
           {
-            Point<dim> x =
-              locator.geometry(cell).to_real(unit_place<dim>(fe.degree, a));
+            Point<dim> x = locator.cells.geometry(cell).to_real(
+              unit_place<dim>(fe.degree, a));
             for (unsigned int d = 0; d < dim; ++d)
               if (line_index<dim>(fe.degree, a, d) == fe.degree &&
-                  locator.at_seam(cell, {d, /*upper=*/true}))
-                x[d] = locator.domain().lower_bound(d);
+                  locator.lattice.at_seam(cell, {d, /*upper=*/true}))
+                x[d] = locator.lines.domain().lower_bound(d);
             positions[cell_nodes[cell * n_nodes + a]] = x;
           }
   }
@@ -115,10 +114,11 @@ namespace seiche
     Vector             mask(layout);
     walls_of_node.assign(size(), {});
     components_of_walls.assign(size(), 0);
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.size(); ++cell)
       for (const BoxFace face : GeometryInfo<dim>::face_indices())
         {
-          const Wall<dim> *const wall = locator.closed_wall_at(cell, face);
+          const Wall<dim> *const wall =
+            locator.cells.closed_wall_at(cell, face);
           if (wall == nullptr)
             continue;
           const bool all = wall->condition == WallCondition::no_slip;
@@ -155,14 +155,14 @@ namespace seiche
     for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
       unit_integral[vertex_node<dim>(fe.degree, v)] = std::pow(0.5, dim);
     Vector volume(layout);
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
         integral = unit_integral;
         if (const NodeMatrix *matrix = hanging.matrix(cell))
           matrix->condense(integral.data());
         for (unsigned int a = 0; a < n_nodes; ++a)
           volume.local_element(cell_nodes[cell * n_nodes + a]) +=
-            locator.geometry(cell).measure * integral[a];
+            locator.cells.geometry(cell).measure * integral[a];
       }
     volume.compress(VectorOperation::add);
     volume.update_ghost_values();

@@ -64,8 +64,8 @@ namespace seiche
        FETools::lexicographic_to_hierarchic_numbering<dim>(2)}};
     const typename DoFHandler<dim>::active_cell_iterator iterator(
       &dof_handler.get_triangulation(),
-      locator.iterator(cell)->level(),
-      locator.iterator(cell)->index(),
+      locator.cells.iterator(cell)->level(),
+      locator.cells.iterator(cell)->index(),
       &dof_handler);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     iterator->get_dof_indices(dofs);
@@ -118,25 +118,25 @@ namespace seiche
     const auto         hierarchic =
       FETools::lexicographic_to_hierarchic_numbering<dim>(degree);
     std::vector<Node> fine, coarse;
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.size(); ++cell)
       for (const BoxFace face : GeometryInfo<dim>::face_indices())
         {
-          if (!locator.at_seam(cell, face))
+          if (!locator.lattice.at_seam(cell, face))
             continue;
-          const unsigned int other = locator.neighbor(cell, face);
+          const unsigned int other = locator.cells.neighbor(cell, face);
           if (other == locator.invalid ||
-              locator.level(other) == locator.level(cell))
+              locator.cells.level(other) == locator.cells.level(cell))
             continue;
           get_nodes(dof_handler, locator, cell, fine);
           get_nodes(dof_handler, locator, other, coarse);
-          const auto         origin = locator.lattice_place(other, {});
-          const unsigned int size   = 2 * locator.lattice_size(other);
+          const auto         origin = locator.lattice.place(other, {});
+          const unsigned int size   = 2 * locator.lattice.size(other);
           for (unsigned int a = 0; a < fine.size(); ++a)
             {
               if (!is_on(a, face, degree) || hanging.is_constrained(fine[a]))
                 continue;
               const auto here =
-                locator.lattice_place(cell, halves<dim>(a, degree));
+                locator.lattice.place(cell, halves<dim>(a, degree));
               Point<dim> unit; // of the coarse cell, on the opposite face
               for (unsigned int d = 0; d < dim; ++d)
                 {
@@ -171,15 +171,15 @@ namespace seiche
     const unsigned int degree = dof_handler.get_fe().degree;
     std::map<std::array<unsigned int, dim>, std::vector<Node>> at_place;
     std::vector<Node>                                          nodes;
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.size(); ++cell)
       {
-        if (!locator.at_seam(cell))
+        if (!locator.lattice.at_seam(cell))
           continue;
         get_nodes(dof_handler, locator, cell, nodes);
         for (unsigned int a = 0; a < nodes.size(); ++a)
           for (const BoxFace face : GeometryInfo<dim>::face_indices())
-            if (locator.at_seam(cell, face) && is_on(a, face, degree))
-              at_place[locator.lattice_place(cell, halves<dim>(a, degree))]
+            if (locator.lattice.at_seam(cell, face) && is_on(a, face, degree))
+              at_place[locator.lattice.place(cell, halves<dim>(a, degree))]
                 .push_back(nodes[a]);
       }
     for (auto &entry : at_place)

@@ -19,14 +19,14 @@ namespace seiche
                     const Occupancy<dim>  &grid_occupancy,
                     GridState<dim>        &state)
         : occupancy(grid_occupancy)
-        , cells_with_points(occupancy.scalar_partitioner())
-        , count(occupancy.scalar_partitioner())
+        , cells_with_points(occupancy.nodes.partitioner())
+        , count(occupancy.nodes.partitioner())
       {
-        for (const unsigned int cell : occupancy.occupied_cells())
+        for (const unsigned int cell : occupancy.cells.occupied())
           if (points.n_points_in(cell) > 0)
             for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-              cells_with_points.local_element(occupancy.cell_nodes(cell)[a]) +=
-                1.;
+              cells_with_points.local_element(
+                occupancy.nodes.of_cell(cell)[a]) += 1.;
         cells_with_points.compress(VectorOperation::add);
         cells_with_points.update_ghost_values();
         add_field(state.pressure_guess, 1);
@@ -39,15 +39,17 @@ namespace seiche
       run()
       {
         const auto &locator = occupancy.locator;
-        for (const unsigned int cell : occupancy.occupied_cells())
+        for (const unsigned int cell : occupancy.cells.occupied())
           {
             if (has_field(cell))
               continue;
             bool found = false;
             for (const unsigned int face : GeometryInfo<dim>::face_indices())
-              found = add_from(locator.neighbor(cell, face), cell) || found;
+              found =
+                add_from(locator.cells.neighbor(cell, face), cell) || found;
             if (!found)
-              for (const unsigned int other : locator.vertex_neighbors(cell))
+              for (const unsigned int other :
+                   locator.cells.vertex_neighbors(cell))
                 add_from(other, cell);
           }
         count.compress(VectorOperation::add);
@@ -79,7 +81,7 @@ namespace seiche
            double            *values) const
       {
         double              at_nodes[HangingNodes<dim>::max_nodes];
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        const unsigned int *nodes = occupancy.nodes.of_cell(cell);
         for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
           at_nodes[a] =
             field.values.local_element(field.n_components * nodes[a] + c);
@@ -91,7 +93,7 @@ namespace seiche
       unsigned int
       vertex(const unsigned int cell, const unsigned int v) const
       {
-        return occupancy.cell_nodes(
+        return occupancy.nodes.of_cell(
           cell)[vertex_node<dim>(occupancy.fe.degree, v)];
       }
 
@@ -115,7 +117,7 @@ namespace seiche
       add_from(const unsigned int donor, const unsigned int cell)
       {
         if (donor == CellLocator<dim>::invalid ||
-            !occupancy.is_occupied(donor) || !has_field(donor))
+            !occupancy.cells.is_occupied(donor) || !has_field(donor))
           return false;
         PointBatch<dim, 1, double> at[Shape::n_nodes];
         double                     values[Shape::n_nodes];
@@ -123,8 +125,10 @@ namespace seiche
           if (const unsigned int node = vertex(cell, v); !is_known(node))
             {
               count.local_element(node) += 1.;
-              at[v].reinit_values(occupancy.locator.geometry(donor).to_unit(
-                occupancy.locator.image(occupancy.node_position(node), donor)));
+              at[v].reinit_values(
+                occupancy.locator.cells.geometry(donor).to_unit(
+                  occupancy.locator.image(occupancy.nodes.position(node),
+                                          donor)));
             }
         for (Field &field : fields)
           for (unsigned int c = 0; c < field.n_components; ++c)
@@ -143,7 +147,7 @@ namespace seiche
       divide(Field &field)
       {
         field.sums.compress(VectorOperation::add);
-        for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+        for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
           if (const double n = count.local_element(node); n > 0.)
             for (unsigned int c = 0; c < field.n_components; ++c)
               {

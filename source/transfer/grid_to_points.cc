@@ -184,11 +184,11 @@ namespace seiche
     double      u_nodal[dim][batch.n_nodes];
     double      p_nodal[batch.n_nodes], change_nodal[batch.n_nodes];
     std::size_t n_held = 0;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         if (occupancy.degree(cell) != degree)
           continue;
-        const CellGeometry<dim> &geometry = points.locator.geometry(cell);
+        const CellGeometry<dim> &geometry = points.locator.cells.geometry(cell);
         const auto nodes = occupancy.template unknowns<degree>(cell);
         nodes.read(state.displacement().begin(), u_nodal);
         rule.read(nodes);
@@ -207,7 +207,7 @@ namespace seiche
           const HeldFlags       is_held =
             held.any_may_be() ?
                     held.shorten(
-                points.locator.reach(cell), walls, x, range.size, H, u) :
+                points.locator.cells.reach(cell), walls, x, range.size, H, u) :
                     HeldFlags();
           const Tensor<2, dim, Lanes> F = identity_plus(H);
 

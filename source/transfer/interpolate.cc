@@ -24,10 +24,10 @@ namespace seiche
           values[c]   = points.data(column, c);
         }
       double nodal[dim][batch.n_nodes];
-      for (const unsigned int cell : occupancy.occupied_cells())
+      for (const unsigned int cell : occupancy.cells.occupied())
         {
           occupancy.template unknowns<degree>(cell).read(field.begin(), nodal);
-          const auto &geometry = points.locator.geometry(cell);
+          const auto &geometry = points.locator.cells.geometry(cell);
           for_each_range(points, cell, [&](const PointRange &range) {
             batch.reinit_values(geometry.to_unit(range.position(position)));
             for (unsigned int c = 0; c < dim; ++c)

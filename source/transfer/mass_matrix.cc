@@ -44,7 +44,7 @@ namespace seiche
         this->template collect_faces<degree>(materials);
     });
 
-    inverse_diagonal.reinit(occupancy.vector_partitioner());
+    inverse_diagonal.reinit(occupancy.nodes.vector_partitioner());
     for (const Block &block : blocks)
       for (unsigned int a = 0; a < block.nodes.size(); ++a)
         for (unsigned int c = 0; c < dim; ++c)
@@ -68,11 +68,11 @@ namespace seiche
     PointBatch<dim, degree, double> point;
     constexpr unsigned int          n_nodes = point.n_nodes;
     const double                   *mass    = points.data(PointColumn::mass);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         if (is_lumped(cell))
           continue;
-        const auto &geometry                 = points.locator.geometry(cell);
+        const auto &geometry = points.locator.cells.geometry(cell);
         double      matrix[n_nodes][n_nodes] = {};
         for (const std::size_t p : points.points_in(cell))
           {
@@ -82,7 +82,7 @@ namespace seiche
                 matrix[a][b] += mass[p] * point.N[a] * point.N[b];
           }
         occupancy.template unknowns<degree>(cell).condense_matrix(matrix);
-        const unsigned int *nodes = occupancy.cell_nodes(cell);
+        const unsigned int *nodes = occupancy.nodes.of_cell(cell);
         blocks.push_back({{nodes, nodes + n_nodes},
                           {&matrix[0][0], &matrix[0][0] + n_nodes * n_nodes}});
       }
@@ -96,8 +96,10 @@ namespace seiche
     GhostFaceMatrix<dim, degree> face_matrix;
     for_each_assembled_face(
       occupancy.locator,
-      occupancy.occupied_cells(),
-      [&](const unsigned int cell) { return occupancy.is_occupied(cell); },
+      occupancy.cells.occupied(),
+      [&](const unsigned int cell) {
+        return occupancy.cells.is_occupied(cell);
+      },
       [&](const unsigned int lower,
           const unsigned int upper,
           const unsigned int direction) {
@@ -123,7 +125,7 @@ namespace seiche
   void
   MassMatrix<dim>::right_hand_side(const PointColumn column, Vector &dst) const
   {
-    dst.reinit(occupancy.vector_partitioner());
+    dst.reinit(occupancy.nodes.vector_partitioner());
     with_degree(occupancy.fe.degree, [&](const auto degree) {
       this->template sum_points<degree>(column, dst);
     });
@@ -137,11 +139,11 @@ namespace seiche
   {
     PointBatch<dim, degree, double> point;
     const double                   *mass = points.data(PointColumn::mass);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         if (is_lumped(cell))
           continue;
-        const auto &geometry                = points.locator.geometry(cell);
+        const auto &geometry = points.locator.cells.geometry(cell);
         double      sum[dim][point.n_nodes] = {};
         for (const std::size_t p : points.points_in(cell))
           {

@@ -39,9 +39,9 @@ namespace seiche
              const PointCloud<dim>                         &points,
              const unsigned int                             cell)
     {
-      using Shape                              = Basis<dim, degree>;
-      constexpr unsigned int          n_nodes  = Shape::n_nodes;
-      const CellGeometry<dim>        &geometry = points.locator.geometry(cell);
+      using Shape                       = Basis<dim, degree>;
+      constexpr unsigned int   n_nodes  = Shape::n_nodes;
+      const CellGeometry<dim> &geometry = points.locator.cells.geometry(cell);
       PointBatch<dim, degree, double> point; // its loops are over nodes
       CellSums<dim, degree>           sums;
       for_each_range(points, cell, [&](const PointRange &range) {
@@ -109,7 +109,7 @@ namespace seiche
         {
           const dealii::Point<dim> x = points.position(p);
           double                   N[n_nodes];
-          point.reinit_weights(points.locator.geometry(cell).to_unit(x));
+          point.reinit_weights(points.locator.cells.geometry(cell).to_unit(x));
           for (unsigned int i = 0; i < n_nodes; ++i)
             N[i] = point.weight(i);
           nodes.condense(N);
@@ -119,7 +119,7 @@ namespace seiche
               sums.mass[i] += N[i];
               sums.pressure[i] += N[i] * arrays.pressure[p];
               const dealii::Tensor<1, dim> arm =
-                points.locator.image(occupancy.node_position(nodes[i]), cell) -
+                points.locator.image(occupancy.nodes.position(nodes[i]), cell) -
                 x;
               for (unsigned int c = 0; c < dim; ++c)
                 {
@@ -152,7 +152,7 @@ namespace seiche
       double *pressure     = state.pressure_guess.begin();
       double *momentum     = state.velocity_n.begin();
       double *acceleration = state.acceleration_n.begin();
-      for (const unsigned int cell : occupancy.occupied_cells())
+      for (const unsigned int cell : occupancy.cells.occupied())
         {
           if (occupancy.degree(cell) != degree)
             continue;
@@ -228,7 +228,7 @@ namespace seiche
       double       *pressure     = state.pressure_guess.begin();
       double       *velocity     = state.velocity_n.begin();
       double       *acceleration = state.acceleration_n.begin();
-      for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+      for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
         {
           const double inverse = mass[node] > 0. ? 1. / mass[node] : 0.;
           pressure[node] *= inverse;

@@ -25,10 +25,10 @@ namespace seiche
     /// gradients and values of FE_Q(1) lie between those of edges and nodes.
     template <int dim>
     bool
-    is_gentle(const double (&u)[dim][Basis<dim, 1>::n_nodes],
-              const dealii::Tensor<1, dim> &edges,
-              const dealii::Tensor<1, dim> &reach,
-              const double                  limit)
+    is_small(const double (&u)[dim][Basis<dim, 1>::n_nodes],
+             const dealii::Tensor<1, dim> &edges,
+             const dealii::Tensor<1, dim> &reach,
+             const double                  limit)
     {
       constexpr double small = 0.3; // |grad u|, so that det f >= 0.7^dim
       double           sum   = 0.;
@@ -120,18 +120,18 @@ namespace seiche
     double max_u  = result.max_displacement;
     double beyond = result.beyond_wall;
     double sum    = 0.; // not finite if any value is not
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         if (occupancy.degree(cell) != degree)
           continue;
-        const CellGeometry<dim> &geometry = locator.geometry(cell);
+        const CellGeometry<dim> &geometry = locator.cells.geometry(cell);
         // beside finer cells, their size is the limit: a point must not pass
         // the layer of neighbours
-        const auto &reach = locator.reach(cell);
+        const auto &reach = locator.cells.reach(cell);
         occupancy.template unknowns<degree>(cell).read(
           state.displacement().begin(), u_nodal);
         if constexpr (degree == 1)
-          if (is_gentle(u_nodal, geometry.edges, reach, limit))
+          if (is_small(u_nodal, geometry.edges, reach, limit))
             continue;
         walls.reinit(cell, u_nodal);
         for_each_range(points, cell, [&](const PointRange &range) {

@@ -30,11 +30,11 @@ namespace seiche
       PointBatch<dim, degree>         batch;
       PointBatch<dim, degree, double> middle;
       double                          u[dim][n_nodes];
-      for (const unsigned int cell : occupancy.occupied_cells())
+      for (const unsigned int cell : occupancy.cells.occupied())
         {
           if (occupancy.degree(cell) != degree)
             continue;
-          const auto &geometry = points.locator.geometry(cell);
+          const auto &geometry = points.locator.cells.geometry(cell);
           const auto  nodes    = occupancy.template unknowns<degree>(cell);
           nodes.read(state.displacement().begin(), u);
           const bool is_full         = fill.is_full(cell);
@@ -78,8 +78,8 @@ namespace seiche
                       const GridState<dim>  &state)
   {
     const Occupancy<dim>           &occupancy = fill.occupancy;
-    typename GridState<dim>::Vector result(occupancy.scalar_partitioner()),
-      weight(occupancy.scalar_partitioner());
+    typename GridState<dim>::Vector result(occupancy.nodes.partitioner()),
+      weight(occupancy.nodes.partitioner());
     occupancy.for_each_degree([&](const auto degree) {
       add_cells<dim, decltype(degree)::value>(
         fill, points, state, result, weight);

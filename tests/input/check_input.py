@@ -7,8 +7,8 @@
 Every case must end with the exit code of its kind, one message on standard
 error that holds the expected texts (file:line and the entry among them),
 nothing on standard output, and must leave the folder as it was. The group "numbers"
-compares what a verdict may name with what a run has, "shipped" validates every
-parameter file of the project instead.
+compares what a verdict may name with what a run has, "shipped_prm" and "shipped_tests" validate every
+parameter file in that folder instead.
 """
 
 import argparse
@@ -900,11 +900,10 @@ def check_numbers(program):
     return 1 if failures else 0
 
 
-def check_shipped(program):
+def check_shipped(program, folder_of_files):
     """Every parameter file of the project is valid and has no entry in vain."""
     root = pathlib.Path(__file__).resolve().parents[2]
-    files = [*sorted((root / "prm").rglob("*.prm")),
-             *sorted((root / "tests").rglob("*.prm"))]
+    files = sorted((root / folder_of_files).rglob("*.prm"))
     failures = 0
     for file in files:
         with tempfile.TemporaryDirectory() as folder:
@@ -923,14 +922,14 @@ def check_shipped(program):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", type=pathlib.Path)
-    parser.add_argument("group", choices=[*GROUPS, "numbers", "shipped", "all"])
+    parser.add_argument("group", choices=[*GROUPS, "numbers", "shipped_prm", "shipped_tests", "all"])
     parser.add_argument("--verbose", action="store_true")
     options = parser.parse_args()
     program = str(options.program.resolve())
     if options.group == "numbers":
         return check_numbers(program)
-    if options.group == "shipped":
-        return check_shipped(program)
+    if options.group.startswith("shipped_"):
+        return check_shipped(program, options.group.removeprefix("shipped_"))
     cases = [case for name, group in GROUPS.items() for case in group
              if options.group in (name, "all")]
     if options.group == "all" or options.group == "values":

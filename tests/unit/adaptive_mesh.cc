@@ -60,20 +60,21 @@ namespace
                   const typename Occupancy<dim>::Vector &values)
   {
     double error = 0.;
-    for (unsigned int cell = 0; cell < occupancy.locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < occupancy.locator.cells.n_owned();
+         ++cell)
       {
-        if (!occupancy.is_active(cell))
+        if (!occupancy.cells.is_active(cell))
           continue;
         double at[Basis<dim, 1>::n_nodes];
         for (unsigned int a = 0; a < Basis<dim, 1>::n_nodes; ++a)
-          at[a] = values.local_element(occupancy.cell_nodes(cell)[a]);
+          at[a] = values.local_element(occupancy.nodes.of_cell(cell)[a]);
         occupancy.expand(cell, at);
         for (unsigned int a = 0; a < Basis<dim, 1>::n_nodes; ++a)
           {
-            Point<dim> x = occupancy.locator.geometry(cell).lower;
+            Point<dim> x = occupancy.locator.cells.geometry(cell).lower;
             for (unsigned int d = 0; d < dim; ++d)
               x[d] += Basis<dim, 1>::line_index(a, d) *
-                      occupancy.locator.geometry(cell).edges[d];
+                      occupancy.locator.cells.geometry(cell).edges[d];
             error = std::max(error, std::abs(at[a] - linear<dim>(x)));
           }
       }
@@ -87,7 +88,7 @@ namespace
   misplaced_masters(const Occupancy<dim> &occupancy)
   {
     std::pair<unsigned int, unsigned int> result(0, 0);
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       for (unsigned int a = 0; a < Basis<dim, 1>::n_nodes; ++a)
         if (occupancy.mesh_nodes.hanging.hangs(cell, a))
           {
@@ -100,10 +101,10 @@ namespace
               continue; // no master: the middle of a face
             ++result.second;
             const Point<dim> x =
-              occupancy.node_position(occupancy.cell_nodes(cell)[a]);
-            const Point<dim> low = occupancy.locator.geometry(cell).lower;
+              occupancy.nodes.position(occupancy.nodes.of_cell(cell)[a]);
+            const Point<dim> low = occupancy.locator.cells.geometry(cell).lower;
             const dealii::Tensor<1, dim> h =
-              occupancy.locator.geometry(cell).edges;
+              occupancy.locator.cells.geometry(cell).edges;
             for (unsigned int d = 0; d < dim; ++d)
               if ((x[d] > low[d] + 0.5 * h[d]) !=
                   (Basis<dim, 1>::line_index(a, d) == 1))
@@ -125,25 +126,25 @@ namespace
     const CellLocator<dim> &locator = points.locator;
     constexpr double        quarter = 0.2 / 4. + 1e-9, half = 0.2 / 2. + 1e-9;
     unsigned int n_in_box = 0, n_at_wall = 0, n_at_surface = 0, n_jumps = 0;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
-        const double     size   = locator.geometry(cell).edges[0];
-        const Point<dim> low    = locator.geometry(cell).lower;
-        const Point<dim> high   = locator.geometry(cell).upper;
+        const double     size   = locator.cells.geometry(cell).edges[0];
+        const Point<dim> low    = locator.cells.geometry(cell).lower;
+        const Point<dim> high   = locator.cells.geometry(cell).upper;
         bool             in_box = true, at_wall = false, at_surface = false;
         for (unsigned int d = 0; d < dim; ++d)
           in_box &= low[d] < 0.85 - 1e-9 && high[d] > 0.7 + 1e-9;
         for (unsigned int face = 0; face < 2 * dim; ++face)
           {
             at_wall |=
-              locator.wall_at(cell, face) == &locator.grid.wall(2 * dim);
-            const unsigned int other = locator.neighbor(cell, face);
+              locator.cells.wall_at(cell, face) == &locator.grid.wall(2 * dim);
+            const unsigned int other = locator.cells.neighbor(cell, face);
             if (other == locator.invalid)
               continue;
-            const double ratio = locator.geometry(other).edges[0] / size;
+            const double ratio = locator.cells.geometry(other).edges[0] / size;
             n_jumps += ratio < 0.4 || ratio > 2.1;
             at_surface |=
-              other < locator.n_owned() && points.n_points_in(other) == 0;
+              other < locator.cells.n_owned() && points.n_points_in(other) == 0;
           }
         if (points.n_points_in(cell) == 0)
           continue;
@@ -166,8 +167,8 @@ namespace
   print_levels(const char *title, const CellLocator<dim> &locator)
   {
     std::vector<unsigned int> count(locator.grid.finest_level() + 1, 0);
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
-      ++count[locator.level(cell)];
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
+      ++count[locator.cells.level(cell)];
     std::string text;
     for (unsigned int &n : count)
       text += " " + std::to_string(global_sum(n));
@@ -196,17 +197,18 @@ namespace
 
     occupancy.reinit();
     problem.find_cells();
-    print("nodes ", occupancy.n_global_nodes());
-    typename Occupancy<dim>::Vector values(occupancy.scalar_partitioner());
+    print("nodes ", occupancy.nodes.n_global());
+    typename Occupancy<dim>::Vector values(occupancy.nodes.partitioner());
     double                          volume = 0., filled = 0.;
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       {
-        values.local_element(i) = linear<dim>(occupancy.node_position(i));
-        filled += fill.nodal_fill().local_element(i) * occupancy.node_volume(i);
+        values.local_element(i) = linear<dim>(occupancy.nodes.position(i));
+        filled +=
+          fill.nodal_fill().local_element(i) * occupancy.nodes.volume(i);
       }
     values.update_ghost_values();
-    for (const unsigned int cell : occupancy.occupied_cells())
-      volume += fill.cell_fill(cell) * locator.geometry(cell).measure;
+    for (const unsigned int cell : occupancy.cells.occupied())
+      volume += fill.cell_fill(cell) * locator.cells.geometry(cell).measure;
     print("linear function kept: ",
           error_of_linear(occupancy, values) < 1e-13 ? "yes" : "no",
           ", fill of nodes sums up to that of cells: ",
@@ -229,7 +231,8 @@ namespace
     for (const GhostFace &face : fill.ghost_faces())
       {
         matrix.evaluate(face, occupancy);
-        hanging += locator.level(face.lower) != locator.level(face.upper);
+        hanging +=
+          locator.cells.level(face.lower) != locator.cells.level(face.upper);
         for (unsigned int a = 0; a < matrix.n_nodes; ++a)
           {
             double jump = 0., sum = 0.;
@@ -262,7 +265,7 @@ namespace
       }
     print_levels("moved up by 0.4, cells by level:", locator);
     judge_sizes(points);
-    print("points ", points.n_global(), ", nodes ", occupancy.n_global_nodes());
+    print("points ", points.n_global(), ", nodes ", occupancy.nodes.n_global());
   }
 
   /// Deep fluid that may coarsen over several levels: families of cells must be

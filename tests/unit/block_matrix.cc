@@ -44,9 +44,9 @@ namespace
     CellMatrix<dim, 1> data;
     matrix.reinit(fill);
     matrix.set_zero();
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
-        const Point<dim> corner = occupancy.locator.geometry(cell).lower;
+        const Point<dim> corner = occupancy.locator.cells.geometry(cell).lower;
         const auto       entry =
           [&](auto &block, const double shift, const double diagonal) {
             for (unsigned int a = 0; a < CellMatrix<dim, 1>::n_nodes; ++a)
@@ -79,13 +79,13 @@ namespace
   make_vector(const Occupancy<dim> &occupancy, const bool with_pressure)
   {
     typename BlockMatrix<dim>::BlockVector x(with_pressure ? 2 : 1);
-    x.block(0).reinit(occupancy.vector_partitioner());
+    x.block(0).reinit(occupancy.nodes.vector_partitioner());
     if (with_pressure)
-      x.block(1).reinit(occupancy.scalar_partitioner());
+      x.block(1).reinit(occupancy.nodes.partitioner());
     x.collect_sizes();
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       {
-        const Point<dim> place = occupancy.node_position(node);
+        const Point<dim> place = occupancy.nodes.position(node);
         for (unsigned int i = 0; i < dim; ++i)
           x.block(0).local_element(node * dim + i) = field(place, i);
         if (with_pressure)
@@ -159,7 +159,7 @@ namespace
     matrix.vmult(y, x);
     print(dim,
           with_pressure ? "D, mixed: nodes " : "D, irreducible: nodes ",
-          occupancy.n_global_nodes(),
+          occupancy.nodes.n_global(),
           ", norm of the product ",
           y.l2_norm() / x.l2_norm() / 100.);
 
@@ -180,7 +180,7 @@ namespace
     for (int i = 0; i < product.MyLength(); ++i)
       error = std::max(error, std::abs(product[i] - at(y, i / n, i % n)));
     unsigned int empty = 0;
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       empty += matrix.is_empty(node);
     print("  as in Trilinos: ",
           is_small(error, 1e-10),

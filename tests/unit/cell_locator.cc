@@ -17,10 +17,11 @@ namespace
               const dealii::Point<dim>       &x)
   {
     unsigned int touched = locator.invalid;
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
-      if (locator.geometry(cell).holds(x))
+    for (unsigned int cell = 0; cell < locator.cells.size(); ++cell)
+      if (locator.cells.geometry(cell).holds(x))
         return cell;
-      else if (locator.geometry(cell).box().point_inside(x, /*tolerance=*/0.))
+      else if (locator.cells.geometry(cell).box().point_inside(
+                 x, /*tolerance=*/0.))
         touched = cell;
     return touched;
   }
@@ -47,7 +48,7 @@ namespace
         for (unsigned int d = 0; d < dim; ++d)
           x[d] = box.lower_bound(d) + share(random) * box.side_length(d);
         if (i % 2 == 0) // on a grid line
-          x[0] = locator.geometry(i % locator.n_cells()).lower[0];
+          x[0] = locator.cells.geometry(i % locator.cells.size()).lower[0];
         const unsigned int wanted = brute_force(locator, x);
         const unsigned int found  = locator.find(x);
         n_wrong += found != wanted;
@@ -56,13 +57,14 @@ namespace
         if (found != locator.invalid)
           {
             last = found;
-            n_geometry += locator.index(locator.iterator(found)) != found ||
-                          std::abs(locator.iterator(found)->measure() /
-                                     locator.geometry(found).measure -
-                                   1.) > 1e-10;
+            n_geometry +=
+              locator.cells.index(locator.cells.iterator(found)) != found ||
+              std::abs(locator.cells.iterator(found)->measure() /
+                         locator.cells.geometry(found).measure -
+                       1.) > 1e-10;
           }
       }
-    std::cout << dim << "D, " << locator.n_cells()
+    std::cout << dim << "D, " << locator.cells.size()
               << " cells, found as by search: " << verdict(n_wrong == 0)
               << ", with a hint: " << verdict(n_wrong_hint == 0)
               << ", those of the mesh: " << verdict(n_geometry == 0)
@@ -70,19 +72,19 @@ namespace
 
     // neighbours across faces share that face
     unsigned int n_bad = 0, n_walls = 0;
-    for (unsigned int cell = 0; cell < locator.n_cells(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.size(); ++cell)
       for (unsigned int face = 0; face < 2 * dim; ++face)
         {
-          const unsigned int other = locator.neighbor(cell, face);
+          const unsigned int other = locator.cells.neighbor(cell, face);
           if (other == locator.invalid)
             ++n_walls;
           else
             n_bad +=
-              locator.neighbor(other, face ^ 1u) != cell ||
-              (face % 2 == 0 ? locator.geometry(cell).lower[face / 2] !=
-                                 locator.geometry(other).upper[face / 2] :
-                               locator.geometry(cell).upper[face / 2] !=
-                                 locator.geometry(other).lower[face / 2]);
+              locator.cells.neighbor(other, face ^ 1u) != cell ||
+              (face % 2 == 0 ? locator.cells.geometry(cell).lower[face / 2] !=
+                                 locator.cells.geometry(other).upper[face / 2] :
+                               locator.cells.geometry(cell).upper[face / 2] !=
+                                 locator.cells.geometry(other).lower[face / 2]);
         }
     std::cout << ", neighbours share faces: " << verdict(n_bad == 0) << ", "
               << n_walls << " faces at walls" << std::endl;

@@ -86,7 +86,7 @@ namespace
       this->points_to_grid(state);
       state.dt = 0.01;
       this->convex_edges.update(state);
-      offset.reinit(this->occupancy.vector_partitioner());
+      offset.reinit(this->occupancy.nodes.vector_partitioner());
       this->assembler.begin(*this->formulation.step,
                             this->time_scheme->coefficients(state.dt),
                             state,
@@ -105,7 +105,7 @@ namespace
     print_normals() const
     {
       unsigned int n = 0, right = 0;
-      for (unsigned int node = 0; node < this->occupancy.n_own_nodes(); ++node)
+      for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
         if (is_oblique(node))
           {
             ++n;
@@ -114,7 +114,7 @@ namespace
             const Tensor<2, dim> P =
               this->occupancy.constraints.projector(node);
             const Tensor<1, dim> from_block =
-              this->occupancy.node_position(node) -
+              this->occupancy.nodes.position(node) -
               3. * dealii::Point<dim>(edges<dim>());
             bool is_right = std::abs(normal.norm() - 1.) < 1e-14 &&
                             (P * normal).norm() < 1e-14 &&
@@ -143,14 +143,14 @@ namespace
     print_rest()
     {
       const double top = 6. * edges<dim>()[dim - 1];
-      for (unsigned int node = 0; node < this->occupancy.n_own_nodes(); ++node)
+      for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
         state.pressure().local_element(node) =
           density * gravity *
-          (top - this->occupancy.node_position(node)[dim - 1]);
+          (top - this->occupancy.nodes.position(node)[dim - 1]);
       state.solution.update_ghost_values();
       this->assembler.residual(state, residual);
       Tensor<1, dim> walls;
-      for (unsigned int node = 0; node < this->occupancy.n_own_nodes(); ++node)
+      for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
         for (unsigned int d = 0; d < dim; ++d)
           walls[d] += state.reaction.local_element(dim * node + d);
       walls         = dealii::Utilities::MPI::sum(walls, communicator);
@@ -220,9 +220,9 @@ namespace
     fill(BlockVector &v, const double u, const double p, const double phase)
     {
       v.zero_out_ghost_values();
-      for (unsigned int node = 0; node < this->occupancy.n_own_nodes(); ++node)
+      for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
         {
-          const auto   x = this->occupancy.node_position(node);
+          const auto   x = this->occupancy.nodes.position(node);
           const double a = phase + 7. * x[0] + 5. * x[1] + 3. * x[dim - 1];
           for (unsigned int d = 0; d < dim; ++d)
             v.block(0).local_element(dim * node + d) = u * std::sin(a + d);

@@ -50,14 +50,14 @@ namespace
   void
   fill_up_to(const double height, PointCloud<dim> &points)
   {
-    for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < points.locator.cells.n_owned(); ++cell)
       for (unsigned int k = 0; k < (1u << dim); ++k)
         {
-          Point<dim> x = points.locator.geometry(cell).lower;
+          Point<dim> x = points.locator.cells.geometry(cell).lower;
           for (unsigned int d = 0; d < dim; ++d)
             x[d] += ((k >> d & 1u) + 0.5) * spacing;
           if (x[dim - 1] < height || x.distance(drop<dim>()) < 1e-10)
-            points.insert((points.locator.lattice_index(cell) << 26) + k,
+            points.insert((points.locator.lattice.index(cell) << 26) + k,
                           x,
                           Tensor<1, dim>(),
                           std::pow(spacing, dim),
@@ -122,10 +122,10 @@ namespace
     fill.update(points);
     GridState<dim> state;
     state.reinit(occupancy, /*has_pressure=*/true, false);
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       for (unsigned int d = 0; d < dim; ++d)
         state.displacement().local_element(dim * node + d) =
-          displacement(occupancy.node_position(node))[d];
+          displacement(occupancy.nodes.position(node))[d];
     state.solution.update_ghost_values();
     state.velocity_np1.update_ghost_values();
     StepView<dim> view(points, fill, state);
@@ -156,10 +156,10 @@ namespace
     const FluidExtent<dim> extent(view);
 
     // a lid that has come down to a quarter of a spacing above the drop
-    StepView<dim> under_lid  = view;
-    Point<dim>    low_corner = locator.domain().get_boundary_points().second;
-    low_corner[dim - 1]      = drop<dim>()[dim - 1] + 0.25 * spacing;
-    under_lid.box            = BoundingBox<dim>({Point<dim>(), low_corner});
+    StepView<dim> under_lid = view;
+    Point<dim> low_corner = locator.lines.domain().get_boundary_points().second;
+    low_corner[dim - 1]   = drop<dim>()[dim - 1] + 0.25 * spacing;
+    under_lid.box         = BoundingBox<dim>({Point<dim>(), low_corner});
     const FluidExtent<dim> extent_under_lid(under_lid);
 
     Point<dim> place, above_drop = drop<dim>();

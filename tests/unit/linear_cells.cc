@@ -53,7 +53,8 @@ namespace
     for (unsigned int a = 0; a < n; ++a)
       at[a] = field.local_element(nodes[a]);
     nodes.expand(at);
-    Basis<dim, degree>::values(occupancy.locator.geometry(cell).to_unit(x), N);
+    Basis<dim, degree>::values(
+      occupancy.locator.cells.geometry(cell).to_unit(x), N);
     for (unsigned int a = 0; a < n; ++a)
       sum += N[a] * at[a];
     return sum;
@@ -70,13 +71,13 @@ namespace
     for (const double s : {0.2, 0.55, 0.9})
       for (const double t : {0.15, 0.6})
         {
-          Point<dim> x = locator.geometry(cell).lower;
+          Point<dim> x = locator.cells.geometry(cell).lower;
           for (unsigned int d = 0; d < dim; ++d)
-            x[d] +=
-              locator.geometry(cell).edges[d] * (d == face / 2 ? face % 2 :
-                                                 d == 0        ? s :
-                                                 d == 1        ? t :
-                                                                 s * t);
+            x[d] += locator.cells.geometry(cell).edges[d] * (d == face / 2 ?
+                                                               face % 2 :
+                                                             d == 0 ? s :
+                                                             d == 1 ? t :
+                                                                      s * t);
           f(x);
         }
   }
@@ -100,9 +101,9 @@ namespace
   Nodal<dim>
   field_of(const Occupancy<dim> &occupancy, const Function &f)
   {
-    Nodal<dim> result(occupancy.scalar_partitioner());
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
-      result.local_element(i) = f(occupancy.node_position(i));
+    Nodal<dim> result(occupancy.nodes.partitioner());
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
+      result.local_element(i) = f(occupancy.nodes.position(i));
     result.update_ghost_values();
     return result;
   }
@@ -121,18 +122,19 @@ namespace
     const Nodal<dim> smooth   = field_of<dim>(occupancy, linear<dim>);
     unsigned int     n_linear = 0, n_jumps = 0;
     double jump = 0., difference = 0., bend = 0., error = 0., least = 1.;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         const bool is_linear = occupancy.degree(cell) == 1;
         n_linear += is_linear;
         for (const unsigned int face :
              dealii::GeometryInfo<dim>::face_indices())
           {
-            const unsigned int other = locator.neighbor(cell, face);
-            if (other == locator.invalid || !occupancy.is_occupied(other) ||
-                locator.level(other) > locator.level(cell))
+            const unsigned int other = locator.cells.neighbor(cell, face);
+            if (other == locator.invalid ||
+                !occupancy.cells.is_occupied(other) ||
+                locator.cells.level(other) > locator.cells.level(cell))
               continue;
-            n_jumps += locator.level(other) < locator.level(cell);
+            n_jumps += locator.cells.level(other) < locator.cells.level(cell);
             for_each_place(locator, cell, face, [&](const Point<dim> &x) {
               jump =
                 std::max(jump,
@@ -151,7 +153,7 @@ namespace
           difference       = std::max(difference, std::abs(one - two));
           bend             = std::max(bend, std::abs(one - wild<dim>(x)));
           double N[Basis<dim, 1>::n_nodes];
-          Basis<dim, 1>::values(locator.geometry(cell).to_unit(x), N);
+          Basis<dim, 1>::values(locator.cells.geometry(cell).to_unit(x), N);
           occupancy.template unknowns<1>(cell).condense(N);
           least =
             std::min(least, *std::min_element(std::begin(N), std::end(N)));
@@ -168,7 +170,7 @@ namespace
           "D: multilinear ",
           sum(n_linear),
           " of ",
-          sum(occupancy.occupied_cells().size()),
+          sum(occupancy.cells.occupied().size()),
           " cells, faces at level jumps ",
           sum(n_jumps));
     print("continuous: ",

@@ -53,7 +53,7 @@ namespace
          const Sums                    &gone = {})
   {
     std::uint64_t n_unsorted = 0, n_mixed = 0, n_misplaced = 0, n_indexed = 0;
-    for (unsigned int cell = 0; cell < points.locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < points.locator.cells.n_owned(); ++cell)
       {
         n_indexed += points.n_points_in(cell);
         for (const std::size_t p : points.points_in(cell))
@@ -85,12 +85,12 @@ namespace
           ", counted ",
           verdict(points.n_global() == now.points),
           ", left ",
-          points.n_outflow(),
+          points.outflow.points,
           ", none else lost ",
-          verdict(points.n_outflow() == gone.points &&
+          verdict(points.outflow.points == gone.points &&
                   now.points + gone.points == start.points),
           ", mass too ",
-          verdict(std::abs(points.outflow_mass() - gone.mass) < 1e-9 &&
+          verdict(std::abs(points.outflow.mass - gone.mass) < 1e-9 &&
                   std::abs(now.mass + gone.mass - start.mass) < 1e-9));
   }
 

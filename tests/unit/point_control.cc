@@ -96,15 +96,15 @@ namespace
       std::sort(ids.begin(), ids.end());
 
       const seiche::Occupancy<dim> &occupancy = fill.occupancy;
-      for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+      for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
         {
           const double f = fill.nodal_fill().local_element(i);
-          uneven += occupancy.node_volume(i) * (f - 1.) * (f - 1.);
+          uneven += occupancy.nodes.volume(i) * (f - 1.) * (f - 1.);
           fullest = std::max(fullest, f);
         }
       uneven  = std::sqrt(global_sum(uneven));
       fullest = global_max(fullest);
-      for (const unsigned int cell : occupancy.occupied_cells())
+      for (const unsigned int cell : occupancy.cells.occupied())
         {
           const double n = points.n_points_in(cell);
           fewest         = std::min(fewest, n);

@@ -171,12 +171,12 @@ namespace
            const typename seiche::GridState<dim>::Vector &velocity)
   {
     Ledger<dim> result;
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       {
         Tensor<1, dim> v;
         for (unsigned int d = 0; d < dim; ++d)
           v[d] = velocity.local_element(dim * node + d);
-        result.add(occupancy.node_position(node),
+        result.add(occupancy.nodes.position(node),
                    v,
                    state.mass.local_element(node));
       }

@@ -44,7 +44,7 @@ namespace
     const seiche::PointCloud<dim>  &points    = problem.points;
     problem.find_cells();
     double error = 0.;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
         const double share = fill.cell_fill(cell); // the lower part
         for (unsigned int d = 0; d < 2; ++d)
@@ -53,12 +53,12 @@ namespace
             const double exact  = share * height * height / 12.;
             double       moment = fill.extent_moment(cell);
             for (const std::size_t p : points.points_in(cell))
-              moment +=
-                points.data(seiche::PointColumn::initial_volume)[p] /
-                locator.geometry(cell).measure *
-                std::pow(locator.geometry(cell).to_unit(points.position(p))[d] -
-                           0.5 * height,
-                         2);
+              moment += points.data(seiche::PointColumn::initial_volume)[p] /
+                        locator.cells.geometry(cell).measure *
+                        std::pow(locator.cells.geometry(cell).to_unit(
+                                   points.position(p))[d] -
+                                   0.5 * height,
+                                 2);
             error = std::max(error, std::abs(moment - exact) * 12.);
           }
         if (share < 1.)

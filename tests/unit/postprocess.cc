@@ -49,19 +49,19 @@ namespace
   fill_with_points(PointCloud<dim> &points)
   {
     const CellLocator<dim> &locator = points.locator;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       for (unsigned int k = 0; k < (1u << dim); ++k)
         {
-          Point<dim> x = locator.geometry(cell).lower;
+          Point<dim> x = locator.cells.geometry(cell).lower;
           for (unsigned int d = 0; d < dim; ++d)
-            x[d] +=
-              ((k >> d & 1u) ? 0.75 : 0.25) * locator.geometry(cell).edges[d];
+            x[d] += ((k >> d & 1u) ? 0.75 : 0.25) *
+                    locator.cells.geometry(cell).edges[d];
           if (x[dim - 1] < 0.5)
-            points.insert((locator.lattice_index(cell) << 26) + k,
+            points.insert((locator.lattice.index(cell) << 26) + k,
                           x,
                           exact_velocity(x),
                           point_mass,
-                          locator.geometry(cell).measure / (1u << dim));
+                          locator.cells.geometry(cell).measure / (1u << dim));
         }
     points.locate();
   }
@@ -74,16 +74,16 @@ namespace
             const double          motion,
             GridState<dim>       &state)
   {
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
         {
-          const unsigned int node = occupancy.cell_nodes(cell)[a];
-          if (node < occupancy.n_own_nodes())
+          const unsigned int node = occupancy.nodes.of_cell(cell)[a];
+          if (node < occupancy.nodes.n_own())
             state.mass.local_element(node) = 1.;
         }
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       {
-        const Point<dim>     x = occupancy.node_position(node);
+        const Point<dim>     x = occupancy.nodes.position(node);
         const Tensor<1, dim> u = motion * displacement(x);
         const Tensor<1, dim> v = exact_velocity(Point<dim>(x + u));
         if (state.has_pressure())
@@ -97,7 +97,7 @@ namespace
       }
     // a node of an occupied cell may be owned by a rank that has none there
     state.mass.compress(VectorOperation::max);
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       for (unsigned int d = 0; d < dim; ++d)
         state.reaction.local_element(dim * node + d) =
           state.mass.local_element(node);

@@ -43,14 +43,14 @@ namespace
     row_mass.reinit();
 
     GridState<dim> state;
-    state.mass.reinit(occupancy.scalar_partitioner());
+    state.mass.reinit(occupancy.nodes.partitioner());
     state.mass           = 1.;
     unsigned int n_walls = 0, n_rows = 0, n_hats = 0;
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       if (occupancy.constraints.wall_components(node) != 0)
         {
           const double value = row_mass.value(state, node);
-          const auto   x     = occupancy.node_position(node);
+          const auto   x     = occupancy.nodes.position(node);
           ++n_walls;
           n_rows += std::abs(value - expected<dim>(x)) < 1e-12;
           n_hats += std::abs(value - 1.) < 1e-12;

@@ -62,9 +62,10 @@ namespace
     using Shape = Basis<dim, degree>;
     double      N[Shape::n_nodes], at[Shape::n_nodes], sum = 0.;
     const auto &locator = occupancy.locator;
-    Shape::values(locator.geometry(cell).to_unit(locator.image(x, cell)), N);
+    Shape::values(locator.cells.geometry(cell).to_unit(locator.image(x, cell)),
+                  N);
     for (unsigned int a = 0; a < Shape::n_nodes; ++a)
-      at[a] = field.local_element(occupancy.cell_nodes(cell)[a]);
+      at[a] = field.local_element(occupancy.nodes.of_cell(cell)[a]);
     occupancy.expand(cell, at);
     for (unsigned int a = 0; a < Shape::n_nodes; ++a)
       sum += N[a] * at[a];
@@ -78,32 +79,32 @@ namespace
   test_continuity(const Occupancy<dim> &occupancy)
   {
     const auto                     &locator = occupancy.locator;
-    typename Occupancy<dim>::Vector field(occupancy.scalar_partitioner());
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
-      field.local_element(i) = rough<dim>(occupancy.node_position(i));
+    typename Occupancy<dim>::Vector field(occupancy.nodes.partitioner());
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
+      field.local_element(i) = rough<dim>(occupancy.nodes.position(i));
     field.update_ghost_values();
 
     std::array<unsigned int, 2> n_seam{}; // without, with level jump
     double                      jump = 0.;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       for (unsigned int face = 0; face < 2 * dim; ++face)
         {
-          const unsigned int other = locator.neighbor(cell, face);
-          if (other == locator.invalid || !occupancy.is_active(cell) ||
-              !occupancy.is_active(other))
+          const unsigned int other = locator.cells.neighbor(cell, face);
+          if (other == locator.invalid || !occupancy.cells.is_active(cell) ||
+              !occupancy.cells.is_active(other))
             continue;
-          if (locator.at_seam(cell, face))
-            ++n_seam[locator.level(other) != locator.level(cell)];
+          if (locator.lattice.at_seam(cell, face))
+            ++n_seam[locator.cells.level(other) != locator.cells.level(cell)];
           for (unsigned int q = 0; q < (dim == 2 ? 3 : 9); ++q)
             {
-              Point<dim> x = locator.geometry(cell).lower;
+              Point<dim> x = locator.cells.geometry(cell).lower;
               for (unsigned int d = 0, rest = q; d < dim; ++d)
                 if (d == face / 2)
-                  x[d] += (face % 2) * locator.geometry(cell).edges[d];
+                  x[d] += (face % 2) * locator.cells.geometry(cell).edges[d];
                 else
                   {
                     x[d] += (0.1 + 0.4 * (rest % 3)) *
-                            locator.geometry(cell).edges[d];
+                            locator.cells.geometry(cell).edges[d];
                     rest /= 3;
                   }
               jump =
@@ -127,14 +128,14 @@ namespace
   void
   test_nodes(const Occupancy<dim> &occupancy)
   {
-    const auto                           domain = occupancy.locator.domain();
-    double                               volume = 0.;
+    const auto domain = occupancy.locator.lines.domain();
+    double     volume = 0.;
     std::vector<std::array<double, dim>> own;
     bool                                 inside = true;
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       {
-        volume += occupancy.node_volume(i);
-        const Point<dim>        x = occupancy.node_position(i);
+        volume += occupancy.nodes.volume(i);
+        const Point<dim>        x = occupancy.nodes.position(i);
         std::array<double, dim> rounded;
         for (unsigned int d = 0; d < dim; ++d)
           {
@@ -149,7 +150,7 @@ namespace
          dealii::Utilities::MPI::all_gather(communicator, own))
       all.insert(of_rank.begin(), of_rank.end());
     print("nodes ",
-          occupancy.n_global_nodes(),
+          occupancy.nodes.n_global(),
           ", at ",
           all.size(),
           " places, on upper sides: ",
@@ -163,23 +164,25 @@ namespace
   test_locator(const CellLocator<dim> &locator)
   {
     unsigned int wrong = 0;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
         for (unsigned int face = 0; face < 2 * (dim - 1); ++face)
           {
             // from the middle of the cell to a little beyond the face
-            Point<dim> x = locator.geometry(cell).box().center();
+            Point<dim> x = locator.cells.geometry(cell).box().center();
             x[face / 2] += (face % 2 == 0 ? -0.51 : 0.51) *
-                           locator.geometry(cell).edges[face / 2];
+                           locator.cells.geometry(cell).edges[face / 2];
             const unsigned int found = locator.find(x, cell);
-            const auto         near  = locator.vertex_neighbors(cell);
+            const auto         near  = locator.cells.vertex_neighbors(cell);
             wrong +=
-              locator.at_boundary(cell, face) ||
+              locator.cells.wall_at(cell, face) ||
               std::find(near.begin(), near.end(), found) == near.end() ||
               found != locator.find(x) ||
-              !locator.geometry(found).holds(locator.wrapped(x)) ||
-              locator.image(locator.wrapped(x), cell).distance(x) > 1e-12;
-            const unsigned int other = locator.neighbor(cell, face);
+              !locator.cells.geometry(found).holds(
+                locator.periods.wrapped(x)) ||
+              locator.image(locator.periods.wrapped(x), cell).distance(x) >
+                1e-12;
+            const unsigned int other = locator.cells.neighbor(cell, face);
             wrong += other != locator.invalid && other != found;
           }
       }
@@ -218,10 +221,10 @@ namespace
         else
           {
             test_continuity<dim, 2>(occupancy);
-            std::vector<char> linear(locator.n_owned());
-            for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+            std::vector<char> linear(locator.cells.n_owned());
+            for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
               linear[cell] =
-                locator.geometry(cell).box().center()[dim - 1] > 0.9;
+                locator.cells.geometry(cell).box().center()[dim - 1] > 0.9;
             occupancy.set_linear(linear);
             print("some cells linear:");
             test_continuity<dim, 2>(occupancy);

@@ -41,24 +41,25 @@ namespace
     const auto &occupancy = fill.occupancy;
     const auto &locator   = occupancy.locator;
     double      sum = 0., n = 0.;
-    for (unsigned int cell = 0; cell < locator.n_owned(); ++cell)
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
         bool at_wall = false;
         for (const unsigned int f : GeometryInfo<dim>::face_indices())
-          at_wall = at_wall || locator.at_boundary(cell, f);
-        if (at_wall || !occupancy.is_active(cell))
+          at_wall = at_wall || locator.cells.wall_at(cell, f);
+        if (at_wall || !occupancy.cells.is_active(cell))
           continue;
         const auto level = [&](const unsigned int v) {
-          return fill.surface().level_set().local_element(occupancy.cell_nodes(
-            cell)[seiche::vertex_node<dim>(occupancy.fe.degree, v)]);
+          return fill.surface().level_set().local_element(
+            occupancy.nodes.of_cell(
+              cell)[seiche::vertex_node<dim>(occupancy.fe.degree, v)]);
         };
         for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
           for (unsigned int d = 0; d < dim; ++d)
             if (const unsigned int w = v | (1u << d);
                 w != v && (level(v) < 0.) != (level(w) < 0.))
               {
-                const double h = locator.geometry(cell).edges[d];
-                Point<dim>   x = locator.geometry(cell).lower;
+                const double h = locator.cells.geometry(cell).edges[d];
+                Point<dim>   x = locator.cells.geometry(cell).lower;
                 for (unsigned int e = 0; e < dim; ++e)
                   x[e] += ((v >> e) & 1u) * h;
                 x[d] += level(v) / (level(v) - level(w)) * h;

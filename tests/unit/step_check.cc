@@ -49,8 +49,8 @@ namespace
     GridState<dim>           state;
     state.reinit(occupancy, true, false);
     state.dt = 1.;
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
-      if (std::abs(occupancy.node_position(node)[0] - 1. / degree) < 1e-10)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
+      if (std::abs(occupancy.nodes.position(node)[0] - 1. / degree) < 1e-10)
         state.displacement().local_element(dim * node) = -way;
     state.displacement().update_ghost_values();
     const StepCheck   check   = transfer.check(state, points, /*limit=*/1.);

@@ -64,9 +64,9 @@ namespace
     using Tops = std::map<std::pair<double, double>, double>;
     Tops   of_rank, tops;
     double n_without_points = 0.;
-    for (const unsigned int cell : occupancy.occupied_cells())
+    for (const unsigned int cell : occupancy.cells.occupied())
       {
-        const Point<dim> corner = locator.geometry(cell).lower;
+        const Point<dim> corner = locator.cells.geometry(cell).lower;
         if (corner[dim - 1] < height - 2.5 * h)
           continue;
         of_rank[{corner[0], dim == 3 ? corner[1] : 0.}] +=
@@ -124,8 +124,8 @@ namespace
     const seiche::PointCloud<dim>  &points  = problem.points;
     problem.find_cells();
     double n_loose = 0., n_empty_cells = 0.;
-    for (const unsigned int cell : problem.occupancy.occupied_cells())
-      if (locator.geometry(cell).lower[dim - 1] > 0.75)
+    for (const unsigned int cell : problem.occupancy.cells.occupied())
+      if (locator.cells.geometry(cell).lower[dim - 1] > 0.75)
         {
           const double *loose = fill.loose_shares(points, cell);
           n_loose += loose != nullptr && loose[0] == 1.;

@@ -57,9 +57,9 @@ namespace
                           &state.pressure()};
     for (auto *vector : vectors)
       vector->zero_out_ghost_values();
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       {
-        const auto &x = occupancy.node_position(node);
+        const auto &x = occupancy.nodes.position(node);
         const auto  a = new_acceleration<dim>(x);
         for (unsigned int d = 0; d < dim; ++d)
           {
@@ -109,10 +109,10 @@ namespace
     row.score(100. * (n.energy / p.energy - 1.));
 
     double error = 0., pressure_error = 0.;
-    for (unsigned int node = 0; node < occupancy.n_own_nodes(); ++node)
+    for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       if (state.mass.local_element(node) > 0.)
         {
-          auto difference = linear_velocity(occupancy.node_position(node));
+          auto difference = linear_velocity(occupancy.nodes.position(node));
           for (unsigned int d = 0; d < dim; ++d)
             difference[d] -= state.velocity_n.local_element(dim * node + d);
           error = std::max(error, difference.norm());
@@ -196,7 +196,7 @@ namespace
     seiche::StepCheck trial;
     for (std::size_t p = 0; p < points.size(); ++p)
       {
-        const auto &reach = points.locator.reach(points.cells()[p]);
+        const auto &reach = points.locator.cells.reach(points.cells()[p]);
         for (unsigned int d = 0; d < dim; ++d)
           {
             F[p][d][d] += 1.;

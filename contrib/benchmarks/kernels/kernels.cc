@@ -72,7 +72,7 @@ namespace
   count_cells(benchmark::State &state, const Workbench<dim> &bench)
   {
     state.SetItemsProcessed(state.iterations() *
-                            bench.problem.occupancy.n_global_occupied_cells());
+                            bench.problem.occupancy.cells.n_global());
   }
 
   /// What an assembly takes its time for.
@@ -171,7 +171,7 @@ namespace
     const double entries = double(bench.problem.matrix.sparsity().n_entries()) *
                            (dim + 1) * (dim + 1);
     state.SetItemsProcessed(state.iterations() *
-                            bench.problem.occupancy.n_own_nodes());
+                            bench.problem.occupancy.nodes.n_own());
     state.SetBytesProcessed(state.iterations() * entries * sizeof(double));
   }
 
@@ -191,7 +191,7 @@ namespace
                                   bench.state.mass);
       }
     state.SetItemsProcessed(state.iterations() *
-                            bench.problem.occupancy.n_own_nodes());
+                            bench.problem.occupancy.nodes.n_own());
   }
 
   template <int dim>
@@ -207,7 +207,7 @@ namespace
     for (auto _ : state)
       preconditioner.vmult(bench.solution, bench.residual);
     state.SetItemsProcessed(state.iterations() *
-                            bench.problem.occupancy.n_own_nodes());
+                            bench.problem.occupancy.nodes.n_own());
   }
 
   /// A frame of the points and one of the cells, written to the disk.

@@ -49,7 +49,8 @@ namespace seiche
     bool
     holds_cell(const unsigned int cell) const
     {
-      return any() && closed[chambers.index(occupancy.locator.iterator(cell))];
+      return any() &&
+             closed[chambers.index(occupancy.locator.cells.iterator(cell))];
     }
 
     /// True if an own node lies in one of them.

@@ -3,8 +3,6 @@
 #define seiche_grid_wall_conditions_h
 
 #include <seiche/grid/time_scheme.h>
-#include <seiche/scene/wall_motion.h>
-#include <seiche/scene/wall_velocity.h>
 
 namespace seiche
 {
@@ -21,10 +19,8 @@ namespace seiche
   class WallConditions
   {
   public:
-    /// References must outlive the object.
-    WallConditions(const WallVelocity<dim> &velocity,
-                   const WallMotion<dim>   &motion,
-                   const Occupancy<dim>    &occupancy);
+    /// @p occupancy must outlive the object.
+    explicit WallConditions(const Occupancy<dim> &occupancy);
 
     /// velocity_start from velocity_n, with the walls' at state.time.
     /// Collective.
@@ -58,17 +54,15 @@ namespace seiche
     double
     component(const unsigned int node,
               const unsigned int component,
-              const double       time) const;
+              const double       time,
+              const double       dt) const;
 
-    /// Side of the domain that decides about an own node's component, or
-    /// numbers::invalid_unsigned_int.
-    unsigned int
+    /// Side of the domain that decides about an own node's component, or null.
+    const Wall<dim> *
     side(const unsigned int node, const unsigned int component) const;
 
-    const WallVelocity<dim> &wall_velocity;
-    const WallMotion<dim>   &wall_motion;
-    const Occupancy<dim>    &occupancy;
-    const bool               moving;
+    const Occupancy<dim> &occupancy;
+    const bool            moving;
   };
 } // namespace seiche
 

@@ -22,15 +22,16 @@ namespace seiche
         for (const bool other_is_upper : {true, false})
           {
             const unsigned int other =
-              locator.neighbor(cell, BoxFace(direction, other_is_upper));
+              locator.cells.neighbor(cell, BoxFace(direction, other_is_upper));
             if (other == locator.invalid || !takes_part(other))
               continue;
-            const bool jump = locator.level(other) < locator.level(cell);
-            if (other_is_upper &&
-                (jump || locator.owner(cell) <= locator.owner(other)))
+            const bool jump =
+              locator.cells.level(other) < locator.cells.level(cell);
+            if (other_is_upper && (jump || locator.cells.owner(cell) <=
+                                             locator.cells.owner(other)))
               f(cell, other, direction);
-            else if (!other_is_upper &&
-                     (jump || locator.owner(cell) < locator.owner(other)))
+            else if (!other_is_upper && (jump || locator.cells.owner(cell) <
+                                                   locator.cells.owner(other)))
               f(other, cell, direction);
           }
   }

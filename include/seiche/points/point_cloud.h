@@ -3,6 +3,7 @@
 #define seiche_points_point_cloud_h
 
 #include <seiche/mesh/cell_locator.h>
+#include <seiche/points/outflow.h>
 #include <seiche/points/point_columns.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -17,7 +18,6 @@
 
 namespace seiche
 {
-  class StateArchive;
 
   /**
    * @brief The material points of this rank: structure of arrays, sorted by
@@ -142,68 +142,42 @@ namespace seiche
     void
     replace(const std::vector<char> &packed);
 
-    /// Points that left through open sides since the start, all ranks.
-    std::uint64_t
-    n_outflow() const
-    {
-      return outflow;
-    }
-
-    /// Mass [kg] that left through open sides since the start, all ranks.
-    double
-    outflow_mass() const
-    {
-      return mass_of_outflow;
-    }
-
-    /// Times that a point was put back onto an obstacle, all ranks.
-    std::uint64_t
-    n_put_back() const
-    {
-      return put_back_total;
-    }
-
-    /// What left the domain so far, for a checkpoint (the points themselves
-    /// travel by insert()). Local.
-    void
-    save_or_load(StateArchive &archive);
-
     const CellLocator<dim> &locator;
     const MPI_Comm          communicator;
+    Outflow                 outflow; ///< all ranks; not for others to change
 
   private:
     static constexpr unsigned int invalid = static_cast<unsigned int>(-1);
 
     /// What one locate() found on this rank.
-    struct Census
+    struct Found
     {
-      std::size_t n_before     = 0; ///< points before the search
-      std::size_t n_outflow    = 0; ///< left through open sides
-      double      outflow_mass = 0.;
-      std::size_t n_put_back   = 0; ///< onto the face of an obstacle
-      std::size_t n_lost       = 0;
+      std::size_t n_before       = 0; ///< points before the search
+      std::size_t n_outflow      = 0; ///< left through open sides
+      double      outflow_mass   = 0.;
+      std::size_t n_set_on_walls = 0; ///< of obstacles
+      std::size_t n_lost         = 0;
       std::string lost_report;   ///< of the first lost point
       bool        moved = false; ///< a point is new or changed its cell
     };
 
     /// Update point_cells; invalid marks points that leave this rank.
-    Census
+    Found
     find_cells(std::vector<std::size_t> &emigrants);
     /// A point less than half a cell within an obstacle along which the fluid
-    /// slips: set it on the nearest face with a cell before it. Nodes on an
-    /// edge whose faces are dry are free to move to either side, so that the
-    /// field between them and the next nodes may cut the edge. The cell, or
-    /// invalid.
+    /// slips: set it on the nearest place of its last cell or of those around.
+    /// At convex edges nodes move across a face, so that the field between them
+    /// and the next nodes may cut the edge. The cell, or invalid.
     unsigned int
-    put_back(const std::size_t point);
+    set_on_wall(const std::size_t point);
     /// A point that is in no cell: outflow or lost.
     void
-    judge_outside(const std::size_t point, Census &census) const;
+    count_outside(const std::size_t point, Found &found) const;
     std::string
     lost_report(const std::size_t point, const std::string &reason) const;
     /// Sums over the ranks; NumericalError if a point is lost.
     void
-    account(const Census &census);
+    account(const Found &found);
 
     /// Send points to the owners of their cells, receive others. Collective.
     void
@@ -225,10 +199,7 @@ namespace seiche
     std::vector<std::uint64_t>                 point_ids;
     std::vector<unsigned int>                  point_cells;
     std::vector<std::size_t>                   cell_begin;
-    std::uint64_t                              global_size     = 0;
-    std::uint64_t                              outflow         = 0;
-    double                                     mass_of_outflow = 0.;
-    std::uint64_t                              put_back_total  = 0;
+    std::uint64_t                              global_size = 0;
 
     // workspace of sort(), kept so that a step allocates nothing
     std::vector<std::uint32_t>    permutation;

@@ -24,7 +24,7 @@ namespace seiche
     OutermostPoints(const StepView<dim> &step, const Choice &choice)
       : view(step)
     {
-      for (unsigned int cell = 0; cell < view.occupancy.locator.n_owned();
+      for (unsigned int cell = 0; cell < view.occupancy.locator.cells.n_owned();
            ++cell)
         for (unsigned int p = 0; p < view.points.n_points_in(cell); ++p)
           if (choice(cell, p))
@@ -46,7 +46,7 @@ namespace seiche
     level(const dealii::Point<dim> &place, const double width) const override
     {
       return largest(dim - 1, 1., [&](const Entry &entry) {
-        const auto way = view.occupancy.locator.shortest(
+        const auto way = view.occupancy.locator.periods.shortest(
           view.points.position(entry.point) - place);
         for (unsigned int d = 0; d + 1 < dim; ++d)
           if (std::abs(way[d]) >= width)
@@ -63,7 +63,8 @@ namespace seiche
       return largest(dim - 1, 1., [&](const Entry &entry) {
         for (const unsigned int face :
              dealii::GeometryInfo<dim>::face_indices())
-          if (const Wall<dim> *const here = locator.wall_at(entry.cell, face))
+          if (const Wall<dim> *const here =
+                locator.cells.wall_at(entry.cell, face))
             if (here->number == wall)
               return true;
         return false;

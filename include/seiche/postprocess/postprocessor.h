@@ -37,7 +37,7 @@ namespace seiche
       , occupancy(step_fill.occupancy)
       , fill(step_fill)
       , state(step_state)
-      , box(step_fill.occupancy.locator.domain())
+      , box(step_fill.occupancy.locator.lines.domain())
     {}
 
     const PointCloud<dim> &points;

@@ -73,6 +73,12 @@ namespace seiche
     bool
     any_friction() const;
 
+    /// True if some wall moves along its normal; if some moves at all.
+    bool
+    any_displaced() const;
+    bool
+    any_moving() const;
+
     /// The whole box.
     dealii::BoundingBox<dim>
     domain() const;

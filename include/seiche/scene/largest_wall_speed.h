@@ -20,7 +20,6 @@ namespace seiche
   double
   largest_wall_speed(const GridParameters<dim> &grid,
                      const TankMotion<dim>     &tank,
-                     const InputFile           &input,
                      const double               end_time);
 } // namespace seiche
 

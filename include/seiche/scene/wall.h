@@ -2,6 +2,8 @@
 #ifndef seiche_scene_wall_h
 #define seiche_scene_wall_h
 
+#include <seiche/scene/expression.h>
+#include <seiche/scene/wall_shape.h>
 #include <seiche/utilities/box_face.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -9,6 +11,7 @@
 #include <deal.II/base/point.h>
 
 #include <cctype>
+#include <memory>
 #include <string>
 
 namespace seiche
@@ -24,7 +27,8 @@ namespace seiche
   };
 
   /**
-   * @brief A wall: a side of the domain's box, or the faces of an obstacle.
+   * @brief A wall: a side of the domain's box, or the faces of an obstacle. It
+   * is asked for its distance, normal, velocity and condition.
    *
    * Its number is its place in GridParameters::walls and the boundary id of its
    * faces: that of deal.II for a side, then those of obstacles.
@@ -35,12 +39,59 @@ namespace seiche
     std::string   name; ///< e.g. "left", or that of the obstacle
     unsigned int  number    = dealii::numbers::invalid_unsigned_int;
     WallCondition condition = WallCondition::slip;
-    double        friction  = 0.; ///< skin friction coefficient [-]
-    std::string   velocity;       ///< expressions, along itself [m/s]
-    std::string   displacement;   ///< expression, of a side [m]
+    double        friction  = 0.;    ///< skin friction coefficient [-]
+    std::string   velocity_text;     ///< expressions, along itself [m/s]
+    std::string   displacement_text; ///< expression, of a side [m]
 
     /// Its box at the start [m]; that of a side is flat.
     dealii::Point<dim> lower_corner, upper_corner;
+
+    /// Make shape and motion of what was read; @p input must outlive the wall.
+    /// InputError for what is no expression.
+    void
+    build(const InputFile &input);
+
+    /// InputError if it moves in a way that its condition does not allow, or
+    /// that is not defined in the box @p domain up to @p end_time [s].
+    void
+    check(const InputFile                &input,
+          const dealii::BoundingBox<dim> &domain,
+          const double                    end_time) const;
+
+    /// Signed distance at time @p t [m]: positive in the fluid.
+    double
+    distance(const dealii::Point<dim> &x, const double t) const;
+
+    /// Unit vector into the fluid at the place nearest to @p x.
+    dealii::Tensor<1, dim>
+    normal(const dealii::Point<dim> &x, const double t) const;
+
+    /// Of the fluid at the wall [m/s]: along itself for a no-slip wall, along
+    /// the normal for a side that is displaced, which is a difference over a
+    /// small part of @p dt [s] after @p t.
+    dealii::Tensor<1, dim>
+    velocity(const dealii::Point<dim> &x,
+             const double              t,
+             const double              dt) const;
+
+    /// Of a side along its coordinate [m]; zero for walls at rest.
+    double
+    displacement(const double t) const
+    {
+      return way ? way->value(dealii::Point<dim>(), t) : 0.;
+    }
+
+    /// True if it is displaced; if it moves along itself.
+    bool
+    is_displaced() const
+    {
+      return way != nullptr;
+    }
+    bool
+    slides() const
+    {
+      return sliding != nullptr;
+    }
 
     bool
     is_side() const
@@ -79,6 +130,17 @@ namespace seiche
     }
 
   private:
+    /// Where the wall had a place that is @p x at time @p t.
+    dealii::Point<dim>
+    at_start(dealii::Point<dim> x, const double t) const;
+
+    std::shared_ptr<const WallShape<dim>>  shape;   // at the start
+    std::shared_ptr<const Expression<dim>> sliding; // along itself, or null
+    std::shared_ptr<const Expression<dim>> way;     // of a side, or null
+
+    void
+    check_sliding(const InputFile &input, const double end_time) const;
+
     static std::string
     capital(std::string word)
     {

@@ -75,7 +75,7 @@ namespace seiche
     bool
     walls_move() const
     {
-      return wall_motion.any() || wall_velocity.any();
+      return scene.grid.any_moving();
     }
 
     /// Cells that sides of the domain move by in a step that starts at @p time
@@ -88,7 +88,7 @@ namespace seiche
     const MPI_Comm    communicator;
 
     // grid and material points
-    const WallMotion<dim> wall_motion;
+    const GridMotion<dim> grid_motion;
     BackgroundGrid<dim>   grid;
     CellLocator<dim>      locator;
 
@@ -110,7 +110,6 @@ namespace seiche
     // what acts on the fluid
     const TankMotion<dim>     tank_motion;
     const BodyForce<dim>      body_force;
-    const WallVelocity<dim>   wall_velocity;
     const WallConditions<dim> wall_conditions;
     ConvexEdges<dim>          convex_edges;
     RowMass<dim>              row_mass;

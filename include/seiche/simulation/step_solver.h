@@ -58,7 +58,7 @@ namespace seiche
 
     /// Iterations of the last attempt.
     const NewtonResult &
-    effort() const
+    newton_result() const
     {
       return last;
     }

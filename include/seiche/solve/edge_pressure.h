@@ -31,8 +31,8 @@ namespace seiche
       const auto  nodes       = occupancy.template unknowns<degree>(cell);
       const auto &constraints = occupancy.constraints;
       for (const BoxFace face : dealii::GeometryInfo<dim>::face_indices())
-        if (occupancy.locator.closed_wall_at(cell, face) != nullptr)
-          add_face(occupancy.locator.geometry(cell), face);
+        if (occupancy.locator.cells.closed_wall_at(cell, face) != nullptr)
+          add_face(occupancy.locator.cells.geometry(cell), face);
       for (auto &component : G)
         nodes.condense_matrix(component);
       for (unsigned int a = 0; a < n_nodes; ++a)

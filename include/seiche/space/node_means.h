@@ -14,19 +14,19 @@ namespace seiche
   node_means(const Occupancy<dim> &occupancy, const Value &value)
   {
     using Vector = typename Occupancy<dim>::Vector;
-    Vector measures(occupancy.scalar_partitioner()),
-      means(occupancy.scalar_partitioner());
-    for (const unsigned int cell : occupancy.occupied_cells())
+    Vector measures(occupancy.nodes.partitioner()),
+      means(occupancy.nodes.partitioner());
+    for (const unsigned int cell : occupancy.cells.occupied())
       for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
         {
-          const unsigned int node    = occupancy.cell_nodes(cell)[a];
-          const double       measure = occupancy.locator.geometry(cell).measure;
+          const unsigned int node = occupancy.nodes.of_cell(cell)[a];
+          const double measure = occupancy.locator.cells.geometry(cell).measure;
           measures.local_element(node) += measure;
           means.local_element(node) += measure * value(cell);
         }
     measures.compress(dealii::VectorOperation::add);
     means.compress(dealii::VectorOperation::add);
-    for (unsigned int i = 0; i < occupancy.n_own_nodes(); ++i)
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       if (measures.local_element(i) > 0.)
         means.local_element(i) /= measures.local_element(i);
     return means;

@@ -2,11 +2,11 @@
 #ifndef seiche_space_occupancy_h
 #define seiche_space_occupancy_h
 
-#include <seiche/mesh/cell_locator.h>
-#include <seiche/points/point_cloud.h>
 #include <seiche/space/basis.h>
 #include <seiche/space/cell_unknowns.h>
 #include <seiche/space/node_constraints.h>
+#include <seiche/space/node_numbering.h>
+#include <seiche/space/occupied_cells.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -16,18 +16,10 @@
 namespace seiche
 {
   /**
-   * @brief The occupied part of the grid and its compact numbering of nodes.
+   * @brief Where the fluid is on the grid: occupied cells, the nodes that exist
+   * because of them, what holds these, and how fields look in a cell.
    *
-   * A cell is occupied if it holds a point or has an inside (occupy()), active
-   * if it is occupied or at most two cells away from an occupied one at the
-   * time of numbering (the halo). Only nodes of active cells exist for vectors,
-   * matrices and solvers; the numbering lives until a point comes to the edge
-   * of the halo. All fields share the nodes: component c of node i of a vector
-   * field is entry dim*i + c. Local node indices: own nodes first, then ghosts.
-   * Hanging nodes are no unknowns; their masters may lie on cells without
-   * fluid.
-   *
-   * The numbering of the whole mesh is known to MeshNodes and this class.
+   * The numbering of the whole mesh is known to MeshNodes and NodeNumbering.
    */
   template <int dim>
   class Occupancy
@@ -52,11 +44,6 @@ namespace seiche
     void
     update(const PointCloud<dim> &points);
 
-    /// Own active cells without points that are occupied as well, until the
-    /// next update(). Collective.
-    void
-    occupy(const std::vector<unsigned int> &cells);
-
     /// Fields are multilinear in own occupied cells with a true value, until
     /// the next update(); FE_Q(1): nothing changes. Collective.
     void
@@ -69,56 +56,13 @@ namespace seiche
       return linear_flag[cell] ? 1 : fe.degree;
     }
 
-    /// Grows by one with each new numbering.
-    unsigned int
-    generation() const
-    {
-      return numbering_generation;
-    }
-
     unsigned int
     nodes_per_cell() const
     {
       return fe.n_dofs_per_cell();
     }
 
-    /// Own occupied cells, ascending local numbers.
-    const std::vector<unsigned int> &
-    occupied_cells() const
-    {
-      return occupied;
-    }
-
-    /// For own and ghost cells.
-    bool
-    is_occupied(const unsigned int cell) const
-    {
-      return occupied_flag[cell];
-    }
-
-    /// The same without those of occupy().
-    bool
-    holds_points(const unsigned int cell) const
-    {
-      return points_flag[cell];
-    }
-
-    bool
-    is_active(const unsigned int cell) const
-    {
-      return active_flag[cell];
-    }
-
-    /// Local node indices [nodes_per_cell()] of an active own or ghost cell,
-    /// masters in place of hanging nodes (expand() after reading values,
-    /// condense() before adding); lexicographic.
-    const unsigned int *
-    cell_nodes(const unsigned int cell) const
-    {
-      return compact_cell_nodes.data() + cell * nodes_per_cell();
-    }
-
-    /// Values at the cell's own nodes from those at cell_nodes(), in place.
+    /// Values at the cell's own nodes from those at nodes.of_cell(), in place.
     void
     expand(const unsigned int cell, double *values) const
     {
@@ -126,7 +70,7 @@ namespace seiche
         cell_matrices[cell]->expand(values);
     }
 
-    /// The transpose: sums over the cell, to be added at cell_nodes().
+    /// The transpose: sums over the cell, to be added at nodes.of_cell().
     void
     condense(const unsigned int cell, double *values) const
     {
@@ -151,62 +95,9 @@ namespace seiche
     unknowns(const unsigned int cell) const
     {
       if (degree == fe.degree)
-        return {cell_nodes(cell), nullptr, cell_matrices[cell]};
+        return {nodes.of_cell(cell), nullptr, cell_matrices[cell]};
       const auto &vertices = mesh_nodes.linear_cells.vertices(cell);
-      return {cell_nodes(cell), vertices.places.data(), vertices.matrix};
-    }
-
-    /// Own and own-plus-ghost nodes of the compact numbering.
-    unsigned int
-    n_own_nodes() const
-    {
-      return n_own;
-    }
-    unsigned int
-    n_local_nodes() const
-    {
-      return full_of_compact.size();
-    }
-
-    dealii::types::global_dof_index
-    n_global_nodes() const
-    {
-      return node_partitioner->size();
-    }
-
-    /// Own occupied cells of all ranks.
-    std::uint64_t
-    n_global_occupied_cells() const
-    {
-      return global_occupied;
-    }
-
-    /// Layout of a scalar field and of a vector field with dim components.
-    const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &
-    scalar_partitioner() const
-    {
-      return node_partitioner;
-    }
-    const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &
-    vector_partitioner() const
-    {
-      return vector_layout;
-    }
-
-    /// Integral of the node's hat function of FE_Q(1) over the whole domain
-    /// [m^dim]: zero where no vertex of a cell lies.
-    double
-    node_volume(const unsigned int node) const
-    {
-      return mesh_nodes.volume(full_of_compact[node]);
-    }
-
-    /// Of an own node, or of a node of an own cell; on the lower side if it
-    /// lies at a seam: CellLocator::image() is where a cell has it.
-    const dealii::Point<dim> &
-    node_position(const unsigned int node) const
-    {
-      return mesh_nodes.position(full_of_compact[node]);
+      return {nodes.of_cell(cell), vertices.places.data(), vertices.matrix};
     }
 
     /// Smallest edge length of all cells [m].
@@ -228,9 +119,9 @@ namespace seiche
     {
       // vertices have nodes, which the compiler cannot know: zeros, or it warns
       double              at_nodes[HangingNodes<dim>::max_nodes] = {};
-      const unsigned int *nodes = cell_nodes(cell);
+      const unsigned int *numbers = nodes.of_cell(cell);
       for (unsigned int a = 0; a < nodes_per_cell(); ++a)
-        at_nodes[a] = vector.local_element(nodes[a]);
+        at_nodes[a] = vector.local_element(numbers[a]);
       if (const NodeMatrix *hanging = mesh_nodes.hanging.matrix(cell))
         hanging->expand(at_nodes);
       for (unsigned int v = 0; v < (1u << dim); ++v)
@@ -246,19 +137,21 @@ namespace seiche
                       VectorType        &vector) const
     {
       double              at_nodes[HangingNodes<dim>::max_nodes] = {};
-      const unsigned int *nodes = cell_nodes(cell);
+      const unsigned int *numbers = nodes.of_cell(cell);
       for (unsigned int v = 0; v < (1u << dim); ++v)
         at_nodes[vertex_node<dim>(fe.degree, v)] = values[v];
       if (const NodeMatrix *hanging = mesh_nodes.hanging.matrix(cell))
         hanging->condense(at_nodes);
       for (unsigned int a = 0; a < nodes_per_cell(); ++a)
-        vector.local_element(nodes[a]) += at_nodes[a];
+        vector.local_element(numbers[a]) += at_nodes[a];
     }
 
     const CellLocator<dim> &locator;
     const dealii::FE_Q<dim> fe;
 
-    MeshNodes<dim> mesh_nodes;
+    MeshNodes<dim>     mesh_nodes;
+    OccupiedCells<dim> cells;
+    NodeNumbering<dim> nodes;
     /// All walls hold after update().
     NodeConstraints<dim> constraints;
 
@@ -270,38 +163,10 @@ namespace seiche
     void
     reset_matrices();
 
-    /// Choose the active cells and number their nodes. Collective.
-    void
-    number();
-
-    /// Occupied cells and those around them. Collective.
-    void
-    activate_cells();
-
-    /// Compact numbers for the nodes that are @p used. Collective.
-    void
-    number_nodes(const std::vector<char> &used);
-
-    /// Nodes of active cells, known to their owners and to those who need
-    /// them. Collective.
-    std::vector<char>
-    find_used_nodes() const;
-
     std::vector<const NodeMatrix *> cell_matrices; // null: identity
-    double                          smallest = 0.;
-
-    // compact numbering
-    bool                      is_numbered          = false;
-    unsigned int              numbering_generation = 0;
-    unsigned int              n_own                = 0;
-    std::uint64_t             global_occupied      = 0;
-    std::vector<unsigned int> occupied;
-    std::vector<char>         points_flag, occupied_flag, active_flag;
-    std::vector<char>         linear_flag; // own and ghost cells
-    std::vector<unsigned int> compact_cell_nodes;
-    std::vector<unsigned int> full_of_compact;
-    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> node_partitioner;
-    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> vector_layout;
+    std::vector<char>               linear_flag;   // own and ghost cells
+    double                          smallest    = 0.;
+    bool                            is_numbered = false;
   };
 } // namespace seiche
 

@@ -35,7 +35,7 @@ namespace seiche
       }
     occupancy.condense(cell, products);
     for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
-      result.local_element(occupancy.cell_nodes(cell)[a]) += products[a];
+      result.local_element(occupancy.nodes.of_cell(cell)[a]) += products[a];
   }
 
   /// Add the integrals of the products of @p line over a cell: V of
@@ -47,7 +47,7 @@ namespace seiche
                        const std::vector<double>       &line,
                        typename Occupancy<dim>::Vector &result)
   {
-    const auto extent = occupancy.locator.geometry(cell).edges;
+    const auto extent = occupancy.locator.cells.geometry(cell).edges;
     const auto factor = [&](const unsigned int d, const unsigned int place) {
       return extent[d] * line[place];
     };
@@ -63,7 +63,7 @@ namespace seiche
                      const std::vector<double>       &line,
                      typename Occupancy<dim>::Vector &result)
   {
-    const auto         extent = occupancy.locator.geometry(cell).edges;
+    const auto         extent = occupancy.locator.cells.geometry(cell).edges;
     const unsigned int plane  = face.is_upper() ? occupancy.fe.degree : 0;
     const auto factor = [&](const unsigned int d, const unsigned int place) {
       return d != face.direction() ? extent[d] * line[place] :
@@ -77,7 +77,7 @@ namespace seiche
   bool
   touches_wall(const Occupancy<dim> &occupancy, const unsigned int cell)
   {
-    const unsigned int *nodes = occupancy.cell_nodes(cell);
+    const unsigned int *nodes = occupancy.nodes.of_cell(cell);
     return std::any_of(nodes,
                        nodes + occupancy.nodes_per_cell(),
                        [&](const unsigned int node) {

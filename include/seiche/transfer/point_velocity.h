@@ -78,7 +78,7 @@ namespace seiche
     void
     fit(const PointCloud<dim> &points, const unsigned int cell)
     {
-      const auto &geometry = points.locator.geometry(cell);
+      const auto &geometry = points.locator.cells.geometry(cell);
       double      mass     = 0.;
       for (const std::size_t p : points.points_in(cell))
         {

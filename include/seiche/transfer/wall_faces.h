@@ -30,7 +30,7 @@ namespace seiche
       const auto      &locator  = occupancy.locator;
       const auto       nodes    = occupancy.template unknowns<degree>(cell);
       constexpr double infinite = std::numeric_limits<double>::max();
-      const auto      &geometry = locator.geometry(cell);
+      const auto      &geometry = locator.cells.geometry(cell);
       for (unsigned int d = 0; d < dim; ++d)
         {
           inverse[d] = 1. / geometry.edges[d];
@@ -38,7 +38,8 @@ namespace seiche
           upper[d]   = infinite;
           for (unsigned int side = 0; side < 2; ++side)
             {
-              if (locator.closed_wall_at(cell, BoxFace(d, side)) == nullptr)
+              if (locator.cells.closed_wall_at(cell, BoxFace(d, side)) ==
+                  nullptr)
                 continue;
               // where nodes differ (hanging ones, contacts) the farthest counts
               const auto &constraints = occupancy.constraints;
