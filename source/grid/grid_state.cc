@@ -20,6 +20,11 @@ namespace seiche
                            &reaction,
                            &start_reaction})
       vector->reinit(components);
+    for (Vector *vector : {&unseen_velocity, &unseen_mass})
+      if (occupancy.constraints.exist_zeros())
+        vector->reinit(components);
+      else
+        vector->reinit(0);
     if (with_acceleration)
       acceleration_n.reinit(components);
     solution.reinit(with_pressure ? 2 : 1);

@@ -43,7 +43,7 @@ namespace seiche
       if (c == component)
         {
           const double v =
-            occupancy.locator.grid.wall(number).velocity(x, time, dt)[c];
+            occupancy.locator.grid.wall(number).sliding_velocity(x, time)[c];
           if (std::abs(v) < std::abs(slowest))
             slowest = v;
         }

@@ -100,7 +100,8 @@ namespace seiche
     // an oblique normal takes the place of all that meet at its edge
     const unsigned int oblique = fixed & (1u << dim);
     const auto         holds   = [&](const Contact &contact) {
-      return ((fixed >> contact.component) & 1u) || oblique;
+      return ((fixed >> contact.component) & 1u) || oblique ||
+             occupancy.constraints.is_held_at_faces(node, contact.component);
     };
     double k = 0.;
     for (auto contact = begin; contact != end; ++contact)

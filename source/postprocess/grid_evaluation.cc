@@ -150,6 +150,15 @@ namespace seiche
     for (unsigned int a = 0; a < shapes.size(); ++a)
       for (unsigned int d = 0; d < dim; ++d)
         sum[d] += shapes[a] * field.local_element(dim * node[a] + d);
+    if (occupancy.constraints.zeros_in(cell, occupancy.degree(cell)) != nullptr)
+      with_degree(occupancy.degree(cell), [&](const auto degree) {
+        double                          nodal[dim][Basis<dim, degree>::n_nodes];
+        PointBatch<dim, degree, double> point;
+        point.reinit_values(unit);
+        occupancy.template unknowns<degree>(cell).read(field.begin(), nodal);
+        for (unsigned int d = 0; d < dim; ++d)
+          sum[d] = point.value(nodal[d]);
+      });
     return sum;
   }
 

@@ -45,7 +45,7 @@ namespace seiche
               {
                 for (const double t : sample_times(end_time))
                   result =
-                    std::max(result, wall.velocity(x, t, end_time).norm());
+                    std::max(result, wall.sliding_velocity(x, t).norm());
               }
             catch (const InputError &)
               {}

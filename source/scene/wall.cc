@@ -104,12 +104,18 @@ namespace seiche
 
   template <int dim>
   Tensor<1, dim>
+  Wall<dim>::sliding_velocity(const Point<dim> &x, const double t) const
+  {
+    return sliding ? sliding->vector_value(x, t) : Tensor<1, dim>();
+  }
+
+  template <int dim>
+  Tensor<1, dim>
   Wall<dim>::velocity(const Point<dim> &x,
                       const double      t,
                       const double      dt) const
   {
-    Tensor<1, dim> result =
-      sliding ? sliding->vector_value(x, t) : Tensor<1, dim>();
+    Tensor<1, dim> result = sliding_velocity(x, t);
     if (way)
       {
         // one-sided, of second order: a motion need not be defined before t = 0

@@ -60,7 +60,7 @@ namespace seiche
     , tank_motion(scene.make_tank_motion())
     , body_force(scene.body_force, tank_motion, scene.input)
     , wall_conditions(occupancy)
-    , convex_edges(occupancy, formulation.has_pressure())
+    , convex_edges(occupancy)
     , row_mass(occupancy, needs_row_mass(scene))
     , wall_friction(occupancy, row_mass)
     , wall_contact(wall_conditions, occupancy, row_mass, body_force, materials)

@@ -3,6 +3,7 @@
 #include <seiche/simulation/step_failure.h>
 #include <seiche/simulation/step_solver.h>
 #include <seiche/solve/displacement_error.h>
+#include <seiche/transfer/unseen_momentum.h>
 #include <seiche/utilities/exceptions.h>
 
 #include <fmt/format.h>
@@ -159,6 +160,8 @@ namespace seiche
       state.start_reaction = state.reaction;
     else
       state.start_reaction = 0.;
+    if (state.unseen_mass.size() > 0)
+      add_unseen_impulse(state);
     // walls give their velocity first, then the projection pushes
     problem.occupancy.constraints.for_each_fixed([&](const auto &direction) {
       direction.set(state.start_reaction,

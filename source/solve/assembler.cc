@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/assembler.h>
-#include <seiche/solve/edge_pressure.h>
 #include <seiche/utilities/injected_fault.h>
 
 #include <limits>
@@ -112,16 +111,19 @@ namespace seiche
   Assembler<dim>::residual(GridState<dim> &state, BlockVector &residual)
   {
     const TimerTree::Scope scope(timer, "residual");
-    residual = 0.;
+    residual       = 0.;
+    state.reaction = 0.; // components may have been released
+    state.reaction.zero_out_ghost_values();
     add_residual(state, residual);
     residual.compress(VectorOperation::add);
-    state.reaction = 0.; // components may have been released
-    add_edge_pressure(state, residual.block(0));
+    state.reaction.compress(VectorOperation::add);
     if (const auto *closed = closed_chambers())
       closed->balance_rows(residual.block(1), state.mass);
 
     occupancy.constraints.for_each_fixed([&](const auto &direction) {
-      direction.set(state.reaction, direction.of(residual.block(0)));
+      direction.set(state.reaction,
+                    direction.of(state.reaction) +
+                      direction.of(residual.block(0)));
       direction.set(residual.block(0), 0.);
     });
     if (is_injected(Fault::residual) && residual.block(0).locally_owned_size())
@@ -139,42 +141,11 @@ namespace seiche
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         auto &data = this->template gather<degree>(cell, state);
         formulation.residual_moments->residual(data);
-        this->template scatter<degree>(cell, data, sums);
+        const auto nodes = occupancy.template unknowns<degree>(cell);
+        nodes.add_to_nodes(data.residual_u, sums.block(0).begin());
+        nodes.add(data.residual_p, sums.block(1).begin());
       });
     sums.compress(VectorOperation::add);
-  }
-
-  template <int dim>
-  template <int degree>
-  void
-  Assembler<dim>::scatter(const unsigned int     cell,
-                          CellData<dim, degree> &data,
-                          BlockVector           &sums) const
-  {
-    const auto nodes = occupancy.template unknowns<degree>(cell);
-    nodes.add(data.residual_u, sums.block(0).begin());
-    if (formulation.has_pressure())
-      nodes.add(data.residual_p, sums.block(1).begin());
-  }
-
-  template <int dim>
-  void
-  Assembler<dim>::add_edge_pressure(GridState<dim> &state,
-                                    Vector         &residual) const
-  {
-    if (!formulation.has_pressure() || !occupancy.constraints.exist_obliques())
-      return;
-    Vector force(occupancy.nodes.vector_partitioner());
-    for (const unsigned int cell : occupancy.cells.occupied())
-      with_degree(occupancy.degree(cell), [&](const auto degree) {
-        const auto nodes = occupancy.template unknowns<degree>(cell);
-        if (occupancy.constraints.any_oblique(nodes))
-          EdgePressure<dim, degree>(occupancy, cell)
-            .add_force(nodes, state.pressure().begin(), force.begin());
-      });
-    force.compress(VectorOperation::add);
-    residual.add(1., force);
-    state.reaction.add(-1., force);
   }
 
   template <int dim>
@@ -185,7 +156,11 @@ namespace seiche
     const auto add_cell = [&](const unsigned int cell, const auto degree) {
       CellData<dim, degree> &data = this->template gather<degree>(cell, state);
       weak_form->residual(data);
-      this->template scatter<degree>(cell, data, residual);
+      const auto nodes = occupancy.template unknowns<degree>(cell);
+      nodes.add_to_zeros(data.residual_u, state.reaction.begin());
+      nodes.add(data.residual_u, residual.block(0).begin());
+      if (mixed)
+        nodes.add(data.residual_p, residual.block(1).begin());
     };
     const auto add_face = [&](const auto              &face,
                               const GhostCoefficients &coefficient) {
@@ -248,8 +223,9 @@ namespace seiche
       CellData<dim, degree> &data = std::get<degree - 1>(workspace);
       CellGeometry<dim>     &last = last_geometries[degree - 1];
       const auto unknowns         = occupancy.template unknowns<degree>(cell);
-      const bool condensed        = unknowns.matrix != nullptr;
-      const bool oblique          = occupancy.constraints.any_oblique(unknowns);
+      const bool condensed =
+        unknowns.matrix != nullptr || unknowns.zeros != nullptr;
+      const bool oblique = occupancy.constraints.any_oblique(unknowns);
       const bool reusable =
         at_rest && !condensed && !oblique && fill.is_full(cell);
       matrix.prefetch_cell(cell);
@@ -261,11 +237,7 @@ namespace seiche
           if (condensed)
             data.condense(unknowns);
           if (oblique)
-            {
-              if (formulation.has_pressure())
-                EdgePressure<dim, degree>(occupancy, cell).add_tangent(data);
-              data.project(unknowns, occupancy.constraints);
-            }
+            data.project(unknowns, occupancy.constraints);
           last = reusable ? data.geometry : CellGeometry<dim>();
         }
       matrix.add_cell(cell, data);

@@ -88,7 +88,7 @@ namespace seiche
   {
     CellData<dim, degree> &data  = std::get<degree - 1>(workspace);
     const auto             nodes = occupancy.template unknowns<degree>(cell);
-    nodes.read(projection->block(0).begin(), data.projected_momentum);
+    nodes.read_nodes(projection->block(0).begin(), data.projected_momentum);
     nodes.read(projection->block(1).begin(), data.projected_constraint);
   }
 

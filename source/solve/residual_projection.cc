@@ -170,7 +170,7 @@ namespace seiche
     const auto nodes = occupancy.template unknowns<degree>(cell);
     double     momentum[dim][point.n_nodes], constraint[point.n_nodes];
     double momenta[dim][point.n_nodes] = {}, constraints[point.n_nodes] = {};
-    nodes.read(src.block(0).begin(), momentum);
+    nodes.read_nodes(src.block(0).begin(), momentum);
     nodes.read(src.block(1).begin(), constraint);
     points.for_each_batch(
       [&](const unsigned int q, const unsigned int, const Material &) {
@@ -184,7 +184,7 @@ namespace seiche
           add(point.value(momentum[c]), momenta[c]);
         add(point.value(constraint), constraints);
       });
-    nodes.add(momenta, dst.block(0).begin());
+    nodes.add_to_nodes(momenta, dst.block(0).begin());
     nodes.add(constraints, dst.block(1).begin());
   }
 

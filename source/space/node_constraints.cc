@@ -18,7 +18,10 @@ namespace seiche
     mesh_node   = &nodes;
     partitioner = node_partitioner;
     obliques.clear();
-    obliques_exist = false;
+    zeros_of_cell.clear();
+    zeros.clear();
+    zeros_exist = false;
+    at_faces.assign(partitioner->locally_owned_size(), 0);
     fixed.resize(nodes.size());
     for (unsigned int node = 0; node < fixed.size(); ++node)
       fixed[node] = wall_components(node);
@@ -41,9 +44,11 @@ namespace seiche
 
   template <int dim>
   void
-  NodeConstraints<dim>::set_dry(const unsigned int node,
-                                const unsigned int components)
+  NodeConstraints<dim>::set_free(const unsigned int node,
+                                 const unsigned int components,
+                                 const unsigned int components_at_faces)
   {
+    at_faces[node] = components_at_faces;
     obliques.erase(node);
     held[node] = fixed[node] = wall_components(node) & ~components;
   }
@@ -56,6 +61,22 @@ namespace seiche
   {
     obliques[node] = {components, normal};
     held[node] = fixed[node] = (held[node] & ~components) | (1u << dim);
+  }
+
+  template <int dim>
+  void
+  NodeConstraints<dim>::set_zero_in(const unsigned int cell,
+                                    const unsigned int degree,
+                                    const unsigned int component,
+                                    const unsigned int a)
+  {
+    zeros_of_cell.resize(mesh.locator.cells.size(), 0);
+    if (zeros_of_cell[cell] == 0)
+      {
+        zeros.emplace_back();
+        zeros_of_cell[cell] = zeros.size();
+      }
+    zeros[zeros_of_cell[cell] - 1][degree - 1][component] |= 1u << a;
   }
 
   template <int dim>
@@ -82,6 +103,15 @@ namespace seiche
 
   template <int dim>
   void
+  NodeConstraints<dim>::share_zeros()
+  {
+    zeros_exist =
+      Utilities::MPI::logical_or(!zeros.empty(),
+                                 partitioner->get_mpi_communicator());
+  }
+
+  template <int dim>
+  void
   NodeConstraints<dim>::share_obliques()
   {
     share();
@@ -100,9 +130,6 @@ namespace seiche
           obliques[node].normal[c] = normals[c].local_element(node);
       else
         obliques.erase(node);
-    obliques_exist =
-      Utilities::MPI::logical_or(!obliques.empty(),
-                                 partitioner->get_mpi_communicator());
   }
 
   template class NodeConstraints<2>;

@@ -37,6 +37,9 @@ namespace seiche
                  0.)
         , dt(state.dt)
         , velocity_n(state.velocity_n.begin())
+        , unseen_velocity(state.unseen_velocity.size() > 0 ?
+                            state.unseen_velocity.begin() :
+                            nullptr)
         , velocity_new(by_acceleration(transfer_method) ?
                          state.velocity_start.begin() :
                          state.velocity_np1.begin())
@@ -125,7 +128,11 @@ namespace seiche
                const CellUnknowns<dim, degree> &nodes)
       {
         NodalVector values;
-        nodes.read(vector, values);
+        if (unseen_velocity == nullptr)
+          nodes.read(vector, values);
+        else
+          // what the points bring to a wall they leave there
+          nodes.read(vector, unseen_velocity, values);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int i = 0; i < Batch::n_nodes; ++i)
             source[c][i] -= share * values[c][i];
@@ -135,6 +142,7 @@ namespace seiche
       const double          keep;
       const double          dt;
       const double         *velocity_n;
+      const double         *unseen_velocity;
       const double         *velocity_new;
       const double         *velocity_np1;
       const double         *velocity_series;

@@ -155,7 +155,8 @@ namespace seiche
                   sum[c][a] += point.N[a] * momentum;
               }
           }
-        occupancy.template unknowns<degree>(cell).add(sum, dst.begin());
+        occupancy.template unknowns<degree>(cell).add_to_nodes(sum,
+                                                               dst.begin());
       }
   }
 

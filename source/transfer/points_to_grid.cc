@@ -5,6 +5,7 @@
 #include <seiche/transfer/mass_matrix.h>
 #include <seiche/transfer/point_velocity.h>
 #include <seiche/transfer/transfer.h>
+#include <seiche/transfer/unseen_momentum.h>
 
 namespace seiche
 {
@@ -228,13 +229,19 @@ namespace seiche
       double       *pressure     = state.pressure_guess.begin();
       double       *velocity     = state.velocity_n.begin();
       double       *acceleration = state.acceleration_n.begin();
+      const double *unseen =
+        state.unseen_mass.size() > 0 ? state.unseen_mass.begin() : nullptr;
+      constexpr double nothing = 1e-12; // of the mass: round-off
       for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
         {
           const double inverse = mass[node] > 0. ? 1. / mass[node] : 0.;
           pressure[node] *= inverse;
           for (unsigned int c = 0; c < dim; ++c)
             {
-              velocity[dim * node + c] *= inverse;
+              const double seen =
+                mass[node] - (unseen != nullptr ? unseen[dim * node + c] : 0.);
+              velocity[dim * node + c] *=
+                seen > nothing * mass[node] ? 1. / seen : 0.;
               if (with_acceleration)
                 acceleration[dim * node + c] *= inverse;
             }
@@ -256,14 +263,20 @@ namespace seiche
               method.gradient,
               /*linear_cells_only=*/false,
               state);
+    const bool is_consistent = parameters.is_consistent(occupancy.fe.degree);
+    const bool any_unseen    = occupancy.constraints.exist_zeros();
+    if (any_unseen)
+      take_out_unseen(points, occupancy, method.gradient, is_consistent, state);
     divide_by_mass(occupancy, with_acceleration, state);
     state.mass.update_ghost_values();
     state.pressure_guess.update_ghost_values();
     state.velocity_n.update_ghost_values();
     if (state.acceleration_n.size() > 0)
       state.acceleration_n.update_ghost_values();
-    if (parameters.is_consistent(occupancy.fe.degree))
+    if (is_consistent)
       find_closest(points, state);
+    if (any_unseen)
+      find_unseen_velocity(is_consistent, state);
     if (method.update == VelocityUpdate::fmpm ||
         method.update == VelocityUpdate::xpic)
       expand_series(points, state);

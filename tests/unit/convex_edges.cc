@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Nodes on convex edges of a slip block that stands in the fluid, on cells of
-// different extents (doc/theory.md (8.0c) to (8.0e)): how many are held along
-// an oblique normal; that it is a unit vector into the fluid with which the
-// fluxes through the two faces cancel, and P takes it out; that water at rest
-// stays at rest there and its weight arrives at the walls; that the tangent is
-// the derivative of the residual, also where cells of two sizes meet at an
-// edge; nothing of this in the irreducible form.
+// different extents (doc/theory.md (8.0c)): how many slip; that no field that
+// the unknowns admit crosses a face of the block, or loses its normal component
+// between two cells; that uniform motion of the points arrives at the nodes
+// with all its momentum, and that they leave it there if the nodes stop, also
+// with elements of degree 2; that friction brakes edges; that water at rest
+// stays at rest and its weight arrives at the walls; that the tangent is the
+// derivative of the residual, also where cells of two sizes meet at an edge,
+// and where nodes are held in oblique directions (8.0d).
 #include <seiche/grid/convex_edges.h>
 
 #include "problem_from_text.h"
@@ -43,7 +45,7 @@ namespace
   /// @p refined: cells of half the size from the middle to the right.
   template <int dim>
   std::string
-  scene(const bool refined)
+  scene(const bool refined, const std::string &more)
   {
     const std::string cells[] = {"\n set Cells x = 6",
                                  "\n set Cells y = 6",
@@ -54,8 +56,8 @@ namespace
       text += cells[d];
     text +=
       "\n set Lower corner = " + at<dim>(0.) +
-      "\n set Upper corner = " + at<dim>(6.) +
-      "\nend\nsubsection Obstacle block\n set Condition = slip"
+      "\n set Upper corner = " + at<dim>(6.) + "\nend\n" + more +
+      "subsection Obstacle block\n set Condition = slip\n set Friction = 0.01"
       "\n set Lower corner = " +
       at<dim>(2.) + "\n set Upper corner = " + at<dim>(4.) +
       "\nend\nsubsection Body force\n set Acceleration = " +
@@ -78,8 +80,8 @@ namespace
     using Vector      = typename GridState<dim>::Vector;
     using BlockVector = typename GridState<dim>::BlockVector;
 
-    explicit Test(const bool refined)
-      : ProblemFromText<dim>(scene<dim>(refined))
+    explicit Test(const bool refined, const std::string &more = "")
+      : ProblemFromText<dim>(scene<dim>(refined, more))
     {
       this->find_cells();
       this->find_unknowns();
@@ -95,47 +97,132 @@ namespace
       residual.reinit(state.solution);
     }
 
-    bool
-    is_oblique(const unsigned int node) const
+    void
+    print_edges()
     {
-      return this->occupancy.constraints.is_oblique(node);
+      unsigned int n = 0;
+      for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
+        n += this->occupancy.constraints.wall_components(node) != 0 &&
+             this->occupancy.constraints.fixed_components(node) == 0;
+      print(dim,
+            "D: nodes that slip round an edge ",
+            dealii::Utilities::MPI::sum(n, communicator));
     }
 
     void
-    print_normals() const
+    print_normal_components()
     {
-      unsigned int n = 0, right = 0;
-      for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
-        if (is_oblique(node))
+      fill(state.solution, 1., 0., 0.3);
+      state.solution.update_ghost_values();
+      const auto  &cells   = this->locator.cells;
+      double       crosses = 0., jumps = 0.;
+      const double size = state.displacement().linfty_norm();
+      for (const unsigned int cell : this->occupancy.cells.occupied())
+        for (const BoxFace face : dealii::GeometryInfo<dim>::face_indices())
           {
-            ++n;
-            const Tensor<1, dim> normal =
-              this->occupancy.constraints.oblique_normal(node);
-            const Tensor<2, dim> P =
-              this->occupancy.constraints.projector(node);
-            const Tensor<1, dim> from_block =
-              this->occupancy.nodes.position(node) -
-              3. * dealii::Point<dim>(edges<dim>());
-            bool is_right = std::abs(normal.norm() - 1.) < 1e-14 &&
-                            (P * normal).norm() < 1e-14 &&
-                            (P * P - P).norm() < 1e-14;
-            // on cells with edges e the areas of the faces go as 1/e
-            double least = std::numeric_limits<double>::max(), greatest = 0.;
-            for (unsigned int d = 0; d < dim; ++d)
-              if (normal[d] != 0.)
-                {
-                  is_right = is_right && normal[d] * from_block[d] > 0.;
-                  const double area = std::abs(normal[d]) * edges<dim>()[d];
-                  least             = std::min(least, area);
-                  greatest          = std::max(greatest, area);
-                }
-            right += is_right && greatest - least < 1e-12 * greatest;
+            const Wall<dim> *const wall  = cells.wall_at(cell, face);
+            const unsigned int     other = cells.neighbor(cell, face);
+            if (wall != nullptr && !wall->is_side())
+              crosses = std::max(crosses, jump(cell, face, cell, face, true));
+            else if (other < cells.n_owned() &&
+                     cells.level(cell) == cells.level(other))
+              jumps = std::max(jumps,
+                               jump(cell, face, other, face.opposite(), false));
           }
       print(dim,
-            "D: nodes with an oblique normal ",
-            dealii::Utilities::MPI::sum(n, communicator),
-            ", right ",
-            dealii::Utilities::MPI::sum(right, communicator));
+            "D: no flow through faces ",
+            verdict(dealii::Utilities::MPI::max(crosses, communicator) <
+                    1e-14 * size),
+            ", normal components continuous ",
+            verdict(dealii::Utilities::MPI::max(jumps, communicator) <
+                    1e-14 * size));
+      state.solution.zero_out_ghost_values();
+      state.solution = 0.;
+    }
+
+    void
+    print_uniform_motion()
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        std::fill_n(this->points.data(PointColumn::velocity, d),
+                    this->points.size(),
+                    d + 1.);
+      this->points_to_grid(state);
+      state.dt     = 0.01;
+      double error = 0.;
+      for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
+        for (unsigned int d = 0; d < dim; ++d)
+          error =
+            std::max(error,
+                     std::abs(state.velocity_n.local_element(dim * node + d) -
+                              d - 1.));
+      Tensor<1, dim> momentum;
+      for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const unsigned int i      = dim * node + d;
+            const double       unseen = state.unseen_mass.local_element(i);
+            momentum[d] += (state.mass.local_element(node) - unseen) *
+                             state.velocity_n.local_element(i) +
+                           unseen * state.unseen_velocity.local_element(i);
+          }
+      for (std::size_t p = 0; p < this->points.size(); ++p)
+        for (unsigned int d = 0; d < dim; ++d)
+          momentum[d] -= this->points.data(PointColumn::mass)[p] * (d + 1.);
+      momentum = dealii::Utilities::MPI::sum(momentum, communicator);
+      // all stops: velocity_np1 and the displacement are zero
+      this->transfer.grid_to_points(state,
+                                    this->points,
+                                    std::numeric_limits<double>::infinity());
+      double speed = 0.;
+      for (std::size_t p = 0; p < this->points.size(); ++p)
+        for (unsigned int d = 0; d < dim; ++d)
+          speed =
+            std::max(speed,
+                     std::abs(this->points.data(PointColumn::velocity, d)[p]));
+      print(dim,
+            "D: uniform motion arrives ",
+            verdict(dealii::Utilities::MPI::max(error, communicator) < 1e-12),
+            " with its momentum ",
+            verdict(momentum.norm() < 1e-9),
+            " and stays there ",
+            verdict(dealii::Utilities::MPI::max(speed, communicator) < 1e-12));
+    }
+
+    void
+    print_friction()
+    {
+      state.velocity_start = 1.;
+      state.velocity_start.update_ghost_values();
+      this->wall_friction.apply(state);
+      unsigned int n = 0;
+      for (const auto &drag : state.drags)
+        n += this->occupancy.constraints.fixed_components(drag.node) == 0;
+      print(dim,
+            "D: edges braked ",
+            dealii::Utilities::MPI::sum(n, communicator));
+    }
+
+    /// Hold the nodes of one wall in the middle of faces along a unit vector.
+    void
+    make_oblique()
+    {
+      auto          &constraints = this->occupancy.constraints;
+      Tensor<1, dim> normal;
+      for (unsigned int d = 0; d < dim; ++d)
+        normal[d] = d + 1.;
+      normal /= normal.norm();
+      bool right = true;
+      for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
+        if (constraints.fixed_components(node) == 1u)
+          {
+            constraints.set_oblique(node, 1u, normal);
+            const Tensor<2, dim> P = constraints.projector(node);
+            right                  = right && constraints.is_oblique(node) &&
+                    (P * normal).norm() < 1e-14 && (P * P - P).norm() < 1e-14;
+          }
+      constraints.share_obliques();
+      print(dim, "D: oblique directions, projectors right ", verdict(right));
     }
 
     /// p = rho g depth, u = 0.
@@ -204,18 +291,35 @@ namespace
         }
     }
 
-    void
-    print_without_pressure()
+  private:
+    /// Largest difference of the normal components at a face that cells share;
+    /// or these themselves.
+    double
+    jump(const unsigned int cell,
+         const BoxFace      face,
+         const unsigned int other,
+         const BoxFace      other_face,
+         const bool         alone) const
     {
-      ConvexEdges<dim> edges(this->occupancy, /*with_pressure=*/false);
-      edges.reinit();
-      edges.update(state);
-      print(dim,
-            "D: none without a pressure ",
-            verdict(!this->occupancy.constraints.exist_obliques()));
+      const unsigned int  d = face.direction();
+      std::vector<double> here, there;
+      for (const auto &[c, f, values] :
+           {std::make_tuple(cell, face, &here),
+            std::make_tuple(other, other_face, &there)})
+        {
+          double nodal[dim][Basis<dim, 1>::n_nodes];
+          this->occupancy.template unknowns<1>(c).read(
+            state.displacement().begin(), nodal);
+          for (unsigned int a = 0; a < (Basis<dim, 1>::n_nodes); ++a)
+            if (is_on_face<dim>(1, a, f))
+              values->push_back(nodal[d][a]);
+        }
+      double result = 0.;
+      for (unsigned int i = 0; i < here.size(); ++i)
+        result = std::max(result, std::abs(here[i] - (alone ? 0. : there[i])));
+      return result;
     }
 
-  private:
     void
     fill(BlockVector &v, const double u, const double p, const double phase)
     {
@@ -242,14 +346,31 @@ namespace
   test()
   {
     Test<dim> edges(/*refined=*/false);
-    edges.print_normals();
+    edges.print_edges();
+    edges.print_normal_components();
+    edges.print_uniform_motion();
     edges.print_rest();
     edges.print_tangent();
-    edges.print_without_pressure();
     print("with cells of two sizes:");
     Test<dim> refined(/*refined=*/true);
+    refined.print_normal_components();
+    refined.print_uniform_motion();
     refined.print_rest();
     refined.print_tangent();
+    edges.print_friction();
+    print("with elements of degree 2:");
+    Test<dim> quadratic(/*refined=*/false,
+                        "subsection Formulation\n set Element degree = 2\nend\n"
+                        "subsection Points\n set Per cell and direction = 4\n"
+                        "end\n");
+    quadratic.print_edges();
+    quadratic.print_uniform_motion();
+    quadratic.print_rest();
+    quadratic.print_tangent();
+    print("with oblique directions:");
+    Test<dim> oblique(/*refined=*/false);
+    oblique.make_oblique();
+    oblique.print_tangent();
   }
 } // namespace
 

@@ -34,6 +34,14 @@ namespace seiche
     void
     condense(const CellUnknowns<dim, degree> &nodes)
     {
+      nodes.for_each_zero([&](const unsigned int c, const unsigned int a) {
+        for (unsigned int b = 0; b < n_nodes; ++b)
+          {
+            for (unsigned int j = 0; j < dim; ++j)
+              uu[c][j][a][b] = uu[j][c][b][a] = 0.;
+            up[c][a][b] = pu[c][b][a] = 0.;
+          }
+      });
       for (unsigned int i = 0; i < dim; ++i)
         {
           for (unsigned int j = 0; j < dim; ++j)

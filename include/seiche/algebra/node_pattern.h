@@ -14,7 +14,7 @@ namespace seiche
   /**
    * @brief Which nodes are coupled: compressed rows, and how ranks add them up.
    *
-   * Rows are the own and ghost nodes of the compact numbering (Occupancy).
+   * Rows are the own and ghost nodes of the compact numbering (NodeNumbering).
    * Columns are own nodes, then all others that a row couples with, in the
    * order of columns(). A pattern lives until the numbering changes or a cell
    * becomes occupied, or a ghost face appears, that is not in it. Each rank
@@ -166,10 +166,10 @@ namespace seiche
 
     const unsigned int         n_nodes; ///< of a cell
     unsigned int               numbering_generation = 0;
-    std::vector<unsigned int>  begin_of_row; // [n_local_nodes + 1]
+    std::vector<unsigned int>  begin_of_row; // [n_local + 1]
     std::vector<unsigned int>  column;
     std::vector<unsigned int>  diagonal;       // [n_own_nodes]
-    std::vector<unsigned int>  column_of_node; // [n_local_nodes]
+    std::vector<unsigned int>  column_of_node; // [n_local]
     std::vector<std::uint16_t> scatter;        // [cell][a][b]
     std::vector<unsigned char> covered_cells;  // degree [own cell]
     std::vector<unsigned char> covered_faces;  // degree, by face_index()

@@ -9,47 +9,74 @@
 namespace seiche
 {
   /**
-   * @brief Frees the nodes on convex edges of obstacles from the faces that
-   * have no fluid at them (doc/theory.md, section 8, convex edges).
+   * @brief Lets the fluid slip around the convex edges of obstacles
+   * (doc/theory.md, section 8, convex edges).
    *
    * A node on an edge belongs to two faces (in a corner to three). Fixed by
-   * all of them it turns back the water that climbs one face or passes the
-   * side of an obstacle. A component is fixed here only where an occupied cell
-   * has one of the obstacle's faces normal to it. If no face at the node has
-   * fluid, which is then in the cell across the edge only, the fluid may go
-   * to either side but not into the edge: if all components point
-   * there, the slowest one stays fixed. With several wet faces the node is
-   * fixed along their mean normal instead (8.0c), if the formulation has a
-   * pressure.
+   * all of them it turns back the water that climbs one face, passes the side
+   * of an obstacle or turns round the edge. With several wet faces its
+   * component normal to a face is zero in the cells at that face alone (8.0c).
+   * A face without a cell with points at the node does not fix it. If none has
+   * one, the fluid is in the cell across the edge only and may go to either
+   * side but not into the edge: if all components point there, the slowest one
+   * stays fixed.
    */
   template <int dim>
   class ConvexEdges
   {
   public:
-    /// References must outlive the object. @p with_pressure: of formulation.
-    ConvexEdges(Occupancy<dim> &occupancy, const bool with_pressure);
+    /// @p occupancy must outlive the object.
+    explicit ConvexEdges(Occupancy<dim> &occupancy);
 
-    /// After a change of the occupied cells: find the faces with fluid at them.
+    /// After a change of the occupied cells: find the faces with fluid at them
+    /// and what is zero in the cells there. Collective.
     void
     reinit();
 
-    /// Choose for state.velocity_n. Collective.
+    /// Free components; choose for state.velocity_n. Collective.
     void
     update(const GridState<dim> &state);
 
   private:
-    /// Own node on a wall, with a vertex of an occupied cell at it.
+    /// Own node on a wall, with a vertex of a cell with points at it.
+    /// Components bit by bit.
     struct WallNode
     {
       unsigned int node;
-      unsigned int wet; ///< bit c: an occupied cell has a face normal to c here
-      unsigned int concave;        ///< the same, of cells with more than one
-      dealii::Tensor<1, dim> area; ///< wet, in proportion; into the fluid [m^2]
+      unsigned int faces;   ///< normal to faces of slip obstacles alone
+      unsigned int wet;     ///< of these: a cell with points has such a face
+      bool         is_edge; ///< several, each with cells of its own
     };
 
-    /// Components that slip obstacles alone fix at an own node, bit by bit.
+    /// Components that slip obstacles alone fix at an own node.
     unsigned int
     obstacle_components(const unsigned int node) const;
+
+    using Vector = typename GridState<dim>::Vector;
+
+    /// Collective.
+    void
+    find_nodes();
+
+    /// Components of @p faces_of_node to which a cell has a face of a wall at
+    /// its node @p a.
+    unsigned int
+    faces_of_cell(const unsigned int cell,
+                  const unsigned int a,
+                  const unsigned int faces_of_node) const;
+
+    /// Bits of own nodes, and those of ghost nodes from their owners.
+    /// Collective.
+    std::vector<unsigned int>
+    share_bits(const std::vector<unsigned int> &of_own) const;
+
+    /// Zero components of the cells at edges. Collective.
+    void
+    set_zeros();
+    template <int degree>
+    void
+    set_zeros_in(const unsigned int               cell,
+                 const std::vector<unsigned int> &edge_components);
 
     /// Component that moves into the obstacle slowest, or dim if one leaves.
     unsigned int
@@ -59,7 +86,6 @@ namespace seiche
 
     Occupancy<dim>       &occupancy;
     const bool            exist; ///< obstacles
-    const bool            with_pressure;
     std::vector<WallNode> nodes;
   };
 } // namespace seiche

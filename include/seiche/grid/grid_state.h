@@ -12,7 +12,7 @@ namespace seiche
    * @brief Nodal fields of the current step; the grid carries nothing further.
    *
    * Vector fields have entry dim*node + component, scalar fields entry node,
-   * in the compact numbering of Occupancy. Ghost entries are valid after
+   * in the compact numbering of NodeNumbering. Ghost entries are valid after
    * points_to_grid and after each Newton update.
    */
   template <int dim>
@@ -36,8 +36,11 @@ namespace seiche
     double time = 0.; ///< [s] t_n, start of the step
     double dt   = 0.; ///< [s] step size
 
-    Vector mass;            ///< [kg] lumped mass from the points
-    Vector velocity_n;      ///< [m/s] from the points
+    Vector mass;       ///< [kg] lumped mass from the points
+    Vector velocity_n; ///< [m/s] from the points
+    /// Of the points in cells where a component is zero (doc/theory.md (8.0c)),
+    /// which velocity_n leaves out: mean [m/s] and mass [kg]; empty: none.
+    Vector unseen_velocity, unseen_mass;
     Vector velocity_start;  ///< [m/s] v_0: with walls, projected
     Vector velocity_series; ///< [m/s] XPIC: M^-1 p by its series, or empty
     Vector acceleration_n;  ///< [m/s^2] empty unless the scheme carries it or

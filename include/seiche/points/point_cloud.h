@@ -118,8 +118,8 @@ namespace seiche
     wrap();
 
     /// wrap(), find the cell of every point, remove those that left through an
-    /// open side (counted), put those that have cut the edge of an obstacle
-    /// back onto its nearest face (counted), send those in cells of other
+    /// open side (counted), set those that have cut the edge of an obstacle
+    /// on the nearest place of the cells around (counted), send those in cells of other
     /// ranks, sort by (cell, id). NumericalError with id, position, speed and
     /// advice for a point that is nowhere: behind a closed wall, not finite, or
     /// (on several ranks) further than one cell layer from its last cell.

@@ -19,7 +19,7 @@ namespace seiche
   /**
    * @brief Values of nodal fields at a place of the grid.
    *
-   * A place is a cell (local number of CellLocator, own or ghost, active) and
+   * A place is a cell (local number of Cells, own or ghost, active) and
    * a position in it at t_n. It is set directly, or found from a position in
    * the configuration x_n + theta u of the finished step. The view must
    * outlive the object. Everything is local.

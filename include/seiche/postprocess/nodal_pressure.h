@@ -23,7 +23,7 @@ namespace seiche
     void
     begin_step();
 
-    /// Field [n_local_nodes()] in Pa at x_n + pressure_theta u, ghosts
+    /// Field [n_local()] in Pa at x_n + pressure_theta u, ghosts
     /// included. Collective at the first call of a step: call it on every rank.
     const Vector &
     field(const StepView<dim> &view);

@@ -18,8 +18,8 @@ namespace seiche
   {
     double       begin; // [m]
     double       end;   // [m]
-    unsigned int first; // index of its first cell, finest level
-    unsigned int cells; // number of finest cells
+    unsigned int first; // index of its first cell of level 0
+    unsigned int cells; // number of cells of level 0
   };
 
   /**
@@ -48,7 +48,7 @@ namespace seiche
    * 2D; left, right, front, back, bottom, top in 3D.
    *
    * The forest joins periodic sides (balance, ghost cells); what else has to
-   * know that they are one place, the seam, asks CellLocator, which takes them
+   * know that they are one place, the seam, asks Cells, which takes them
    * for no boundary, or NodeMasters.
    */
   template <int dim>
@@ -56,7 +56,7 @@ namespace seiche
   {
   public:
     using Segment = GridSegment;
-    /// Indices of cells on the finest lattice: [first, second) per direction.
+    /// Indices of cells between the grid lines (level 0 of the user): [first, second) per direction.
     using LatticeBox =
       std::pair<std::array<unsigned int, dim>, std::array<unsigned int, dim>>;
 
@@ -74,7 +74,7 @@ namespace seiche
     const std::vector<Segment> &
     segments(const unsigned int direction) const;
 
-    /// Number of finest cells in a direction, obstacles included.
+    /// Number of cells of level 0 in a direction, obstacles included.
     unsigned int
     n_lattice_cells(const unsigned int direction) const;
 

@@ -66,9 +66,12 @@ namespace seiche
     dealii::Tensor<1, dim>
     normal(const dealii::Point<dim> &x, const double t) const;
 
-    /// Of the fluid at the wall [m/s]: along itself for a no-slip wall, along
-    /// the normal for a side that is displaced, which is a difference over a
-    /// small part of @p dt [s] after @p t.
+    /// Of a no-slip wall along itself [m/s].
+    dealii::Tensor<1, dim>
+    sliding_velocity(const dealii::Point<dim> &x, const double t) const;
+
+    /// The same and, for a side that is displaced, its velocity along the
+    /// normal: a difference over a small part of @p dt [s] after @p t.
     dealii::Tensor<1, dim>
     velocity(const dealii::Point<dim> &x,
              const double              t,

@@ -161,19 +161,6 @@ namespace seiche
     void
     gather_projection(const unsigned int cell);
 
-    /// EdgePressure of all cells to the residual of the displacements, and to
-    /// what walls give the fluid. Collective.
-    void
-    add_edge_pressure(GridState<dim> &state, Vector &residual) const;
-
-    /// Add the cell's residuals to the nodes', to the masters of those that are
-    /// no unknowns.
-    template <int degree>
-    void
-    scatter(const unsigned int     cell,
-            CellData<dim, degree> &data,
-            BlockVector           &sums) const;
-
     /// Values of a body force that varies, at the places that v_0 predicts:
     /// second order, and the tangent does not need the gradient of the
     /// expression.

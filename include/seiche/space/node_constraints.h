@@ -2,6 +2,7 @@
 #ifndef seiche_space_node_constraints_h
 #define seiche_space_node_constraints_h
 
+#include <seiche/space/cell_unknowns.h>
 #include <seiche/space/mesh_nodes.h>
 
 #include <unordered_map>
@@ -83,10 +84,10 @@ namespace seiche
    * there is no fluid at them (dry), or they have let go of it (released).
    *
    * Components are bits: bit c stands for coordinate c, bit dim for an oblique
-   * normal. It takes the place of the components that walls fix which
-   * meet in a convex edge (doc/theory.md (8.0c)). Nodes have the compact
-   * numbers of Occupancy; own nodes are changed here and there, and share()
-   * makes them known.
+   * normal, which takes the place of components that walls fix (doc/theory.md
+   * (8.0d)). At convex edges a component is zero in the cells at one face alone
+   * (8.0c). Nodes have the compact numbers of NodeNumbering; own nodes are
+   * changed here and there, and share() makes them known.
    */
   template <int dim>
   class NodeConstraints
@@ -114,20 +115,6 @@ namespace seiche
     is_oblique(const unsigned int node) const
     {
       return (fixed[node] >> dim) & 1u;
-    }
-
-    /// True if walls hold a node along an oblique normal, released or not.
-    bool
-    has_oblique_normal(const unsigned int node) const
-    {
-      return obliques.count(node) > 0;
-    }
-
-    /// True if there are such nodes, on any rank.
-    bool
-    exist_obliques() const
-    {
-      return obliques_exist;
     }
 
     /// True if one of a cell's @p nodes is fixed along an oblique normal.
@@ -166,10 +153,22 @@ namespace seiche
       return mesh.walls((*mesh_node)[node]);
     }
 
-    /// Components of an own node whose walls have no fluid at them in this
-    /// step: they do not fix it.
+    /// Components of an own node that walls do not fix in this step: those
+    /// whose walls have no fluid at them, and @p at_faces, which are zero in the
+    /// cells at their faces alone.
     void
-    set_dry(const unsigned int node, const unsigned int components);
+    set_free(const unsigned int node,
+             const unsigned int components,
+             const unsigned int at_faces);
+
+    /// True if a wall holds an own node in a component, as far as it is in the
+    /// cells at its faces.
+    bool
+    is_held_at_faces(const unsigned int node,
+                     const unsigned int component) const
+    {
+      return (at_faces[node] >> component) & 1u;
+    }
 
     /// Fix an own node along a unit vector into the fluid instead of in the
     /// @p components that walls fix.
@@ -177,6 +176,30 @@ namespace seiche
     set_oblique(const unsigned int            node,
                 const unsigned int            components,
                 const dealii::Tensor<1, dim> &normal);
+
+    /// A component of a vector field is zero at node @p a of an own cell's
+    /// element of this degree, in this cell alone.
+    void
+    set_zero_in(const unsigned int cell,
+                const unsigned int degree,
+                const unsigned int component,
+                const unsigned int a);
+
+    /// These components; null: none.
+    const ComponentBits<dim> *
+    zeros_in(const unsigned int cell, const unsigned int degree) const
+    {
+      return zeros_of_cell.empty() || zeros_of_cell[cell] == 0 ?
+               nullptr :
+               &zeros[zeros_of_cell[cell] - 1][degree - 1];
+    }
+
+    /// True if there are some on any rank, once share_zeros() has been called.
+    bool
+    exist_zeros() const
+    {
+      return zeros_exist;
+    }
 
     /// f(direction, components) for the directions in which walls with fluid
     /// at them hold an own node, released or not; the walls of these
@@ -214,7 +237,11 @@ namespace seiche
     void
     share();
 
-    /// The same, and oblique normals. Collective.
+    /// Whether exist_zeros(). Collective.
+    void
+    share_zeros();
+
+    /// The same as share(), and oblique normals. Collective.
     void
     share_obliques();
 
@@ -252,7 +279,11 @@ namespace seiche
     std::vector<unsigned int>                 held;     ///< own nodes
     std::vector<unsigned int>                 fixed;    ///< own and ghost nodes
     std::unordered_map<unsigned int, Oblique> obliques; ///< by node
-    bool obliques_exist = false;                        ///< on any rank
+    std::vector<unsigned int>                 at_faces; ///< own nodes
+    /// By own and ghost cell, one more than its place in zeros; 0: none.
+    std::vector<unsigned int>                      zeros_of_cell;
+    std::vector<std::array<ComponentBits<dim>, 2>> zeros; ///< by degree - 1
+    bool zeros_exist = false;                             ///< on any rank
   };
 } // namespace seiche
 

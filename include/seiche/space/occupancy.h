@@ -94,10 +94,14 @@ namespace seiche
     CellUnknowns<dim, degree>
     unknowns(const unsigned int cell) const
     {
+      const ComponentBits<dim> *zeros = constraints.zeros_in(cell, degree);
       if (degree == fe.degree)
-        return {nodes.of_cell(cell), nullptr, cell_matrices[cell]};
+        return {nodes.of_cell(cell), nullptr, cell_matrices[cell], zeros};
       const auto &vertices = mesh_nodes.linear_cells.vertices(cell);
-      return {nodes.of_cell(cell), vertices.places.data(), vertices.matrix};
+      return {nodes.of_cell(cell),
+              vertices.places.data(),
+              vertices.matrix,
+              zeros};
     }
 
     /// Smallest edge length of all cells [m].

@@ -43,20 +43,17 @@ namespace seiche
                 continue;
               // where nodes differ (hanging ones, contacts) the farthest counts
               const auto &constraints = occupancy.constraints;
-              double      way = -infinite, of_edge = -infinite;
+              double      way         = -infinite;
               for (unsigned int a = 0; a < nodes.n_nodes; ++a)
                 if (Basis<dim, degree>::line_index(a, d) == side * degree)
                   {
                     const double outwards = side == 0 ? -u[d][a] : u[d][a];
-                    // released or not, its normal does not stop it here
-                    if (constraints.has_oblique_normal(nodes[a]))
-                      of_edge = std::max(of_edge, outwards);
-                    else if ((constraints.fixed_components(nodes[a]) >> d) & 1u)
+                    if (((constraints.fixed_components(nodes[a]) >> d) & 1u) ||
+                        nodes.is_zero(d, a))
                       way = std::max(way, outwards);
                   }
               if (way == -infinite)
                 continue;
-              way = std::max(way, of_edge);
               if (side == 0)
                 lower[d] = geometry.lower[d] - way;
               else

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_transfer_unseen_momentum_h
+#define seiche_transfer_unseen_momentum_h
+
+#include <seiche/grid/grid_state.h>
+#include <seiche/points/point_cloud.h>
+#include <seiche/transfer/point_velocity.h>
+
+namespace seiche
+{
+  /**
+   * Points of cells in which a component of a node is zero (doc/theory.md
+   * (8.0c)) do not count for that component: take their momentum out of the
+   * sums in state.velocity_n [kg m/s], and keep it in state.unseen_velocity,
+   * their masses in state.unseen_mass. state.mass has all points. With the
+   * consistent mass matrix, which takes a node as one, these masses are only
+   * for the impulse. Collective.
+   */
+  template <int dim>
+  void
+  take_out_unseen(const PointCloud<dim> &points,
+                  const Occupancy<dim>  &occupancy,
+                  const GradientUse      gradient,
+                  const bool             is_consistent,
+                  GridState<dim>        &state);
+
+  /// After the means: state.unseen_velocity from its sums, or, if the
+  /// consistent mass matrix has made one velocity of all points, that one.
+  /// Collective.
+  template <int dim>
+  void
+  find_unseen_velocity(const bool is_consistent, GridState<dim> &state);
+
+  /// Impulse over dt [N] of the walls on these points, which lose this velocity
+  /// (8.0b), added to state.start_reaction. Own nodes.
+  template <int dim>
+  void
+  add_unseen_impulse(GridState<dim> &state);
+} // namespace seiche
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/space/point_batch.h>
+#include <seiche/transfer/unseen_momentum.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim, int degree>
+    void
+    add_cells(const PointCloud<dim> &points,
+              const Occupancy<dim>  &occupancy,
+              const GradientUse      gradient,
+              const bool             is_consistent,
+              GridState<dim>        &state)
+    {
+      constexpr unsigned int n_nodes = Basis<dim, degree>::n_nodes;
+      const PointArrays<dim, const PointCloud<dim>> arrays(points);
+      PointBatch<dim, degree, double>               point;
+      for (const unsigned int cell : occupancy.cells.occupied())
+        {
+          if (occupancy.degree(cell) != degree)
+            continue;
+          const auto nodes = occupancy.template unknowns<degree>(cell);
+          if (nodes.zeros == nullptr)
+            continue;
+          const PointVelocity<dim> velocity(arrays, gradient, points, cell);
+          for (const std::size_t p : points.points_in(cell))
+            {
+              const Point<dim> x = points.position(p);
+              const Point<dim> unit =
+                points.locator.cells.geometry(cell).to_unit(x);
+              // what points take back is weighted with N, not with the hats
+              if (is_consistent)
+                point.reinit_values(unit);
+              else
+                point.reinit_weights(unit);
+              double unseen[dim][n_nodes] = {};
+              nodes.for_each_zero(
+                [&](const unsigned int c, const unsigned int a) {
+                  unseen[c][a] = arrays.mass[p] *
+                                 (is_consistent ? point.N[a] : point.weight(a));
+                });
+              for (auto &component : unseen)
+                nodes.condense(component);
+              for (unsigned int i = 0; i < n_nodes; ++i)
+                {
+                  const Tensor<1, dim> arm =
+                    points.locator.image(occupancy.nodes.position(nodes[i]),
+                                         cell) -
+                    x;
+                  for (unsigned int c = 0; c < dim; ++c)
+                    {
+                      double value = velocity.value(p, c);
+                      if (velocity.is_affine())
+                        for (unsigned int d = 0; d < dim; ++d)
+                          value += velocity.derivative(p, c, d) * arm[d];
+                      const unsigned int entry = dim * nodes[i] + c;
+                      state.unseen_mass.local_element(entry) += unseen[c][i];
+                      state.unseen_velocity.local_element(entry) +=
+                        unseen[c][i] * value;
+                    }
+                }
+            }
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  take_out_unseen(const PointCloud<dim> &points,
+                  const Occupancy<dim>  &occupancy,
+                  const GradientUse      gradient,
+                  const bool             is_consistent,
+                  GridState<dim>        &state)
+  {
+    occupancy.for_each_degree([&](const auto degree) {
+      add_cells<dim, degree>(points, occupancy, gradient, is_consistent, state);
+    });
+    state.unseen_mass.compress(VectorOperation::add);
+    state.unseen_velocity.compress(VectorOperation::add);
+    state.velocity_n.add(-1., state.unseen_velocity);
+  }
+
+  template <int dim>
+  void
+  find_unseen_velocity(const bool is_consistent, GridState<dim> &state)
+  {
+    for (unsigned int i = 0; i < state.unseen_mass.locally_owned_size(); ++i)
+      {
+        const double mass  = state.unseen_mass.local_element(i);
+        double      &value = state.unseen_velocity.local_element(i);
+        value              = mass == 0.    ? 0. :
+                             is_consistent ? state.velocity_n.local_element(i) :
+                                             value / mass;
+      }
+    state.unseen_velocity.update_ghost_values();
+  }
+
+  template <int dim>
+  void
+  add_unseen_impulse(GridState<dim> &state)
+  {
+    for (unsigned int i = 0; i < state.unseen_mass.locally_owned_size(); ++i)
+      state.start_reaction.local_element(i) -=
+        state.unseen_mass.local_element(i) *
+        state.unseen_velocity.local_element(i) / state.dt;
+  }
+
+#define INSTANTIATE(dim)                                            \
+  template void take_out_unseen(const PointCloud<dim> &,            \
+                                const Occupancy<dim> &,             \
+                                const GradientUse,                  \
+                                const bool,                         \
+                                GridState<dim> &);                  \
+  template void find_unseen_velocity(const bool, GridState<dim> &); \
+  template void add_unseen_impulse(GridState<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace seiche
