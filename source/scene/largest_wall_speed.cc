@@ -44,8 +44,7 @@ namespace seiche
             try
               {
                 for (const double t : sample_times(end_time))
-                  result =
-                    std::max(result, wall.sliding_velocity(x, t).norm());
+                  result = std::max(result, wall.sliding_velocity(x, t).norm());
               }
             catch (const InputError &)
               {}

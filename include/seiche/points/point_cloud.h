@@ -119,11 +119,11 @@ namespace seiche
 
     /// wrap(), find the cell of every point, remove those that left through an
     /// open side (counted), set those that have cut the edge of an obstacle
-    /// on the nearest place of the cells around (counted), send those in cells of other
-    /// ranks, sort by (cell, id). NumericalError with id, position, speed and
-    /// advice for a point that is nowhere: behind a closed wall, not finite, or
-    /// (on several ranks) further than one cell layer from its last cell.
-    /// Collective.
+    /// on the nearest place of the cells around (counted), send those in cells
+    /// of other ranks, sort by (cell, id). NumericalError with id, position,
+    /// speed and advice for a point that is nowhere: behind a closed wall, not
+    /// finite, or (on several ranks) further than one cell layer from its last
+    /// cell. Collective.
     void
     locate();
 

@@ -56,7 +56,8 @@ namespace seiche
   {
   public:
     using Segment = GridSegment;
-    /// Indices of cells between the grid lines (level 0 of the user): [first, second) per direction.
+    /// Indices of cells between the grid lines (level 0 of the user): [first,
+    /// second) per direction.
     using LatticeBox =
       std::pair<std::array<unsigned int, dim>, std::array<unsigned int, dim>>;
 
