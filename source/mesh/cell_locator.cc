@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/mesh/cell_locator.h>
+#include <seiche/mesh/wall_tolerance.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace seiche
 {
-  namespace
-  {
-    /// Position relative to a wall, in cells, up to which a point outside
-    /// counts as on it: round-off of an update of the position.
-    constexpr double wall_tolerance = 1e-10;
-  } // namespace
-
-
-
   template <int dim>
   CellLocator<dim>::CellLocator(const BackgroundGrid<dim> &background_grid)
     : grid(background_grid)

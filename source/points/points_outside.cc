@@ -18,8 +18,9 @@ namespace seiche
     const unsigned int       last = point_cells[point];
     const dealii::Point<dim> here = position(point);
     const Wall<dim>         *wall = locator.wall_beyond(here);
-    if (last == invalid || wall == nullptr || wall->is_side() ||
-        wall->condition == WallCondition::no_slip)
+    if (last == invalid || wall == nullptr ||
+        wall->condition == WallCondition::no_slip ||
+        (wall->is_side() && wall->condition != WallCondition::unilateral))
       return invalid;
     double             nearest = std::numeric_limits<double>::max();
     unsigned int       result  = invalid;
@@ -55,11 +56,15 @@ namespace seiche
   void
   PointCloud<dim>::count_outside(const std::size_t point, Found &found) const
   {
-    const Wall<dim>  *wall   = locator.wall_beyond(position(point));
-    const std::string reason = wall == nullptr ?
-                                 "it is not in a cell next to its last one" :
-                                 "it is beyond the wall \"" + wall->name + "\"";
-    bool              finite = true;
+    const Wall<dim>  *wall = locator.wall_beyond(position(point));
+    const std::string reason =
+      wall == nullptr ?
+        "it is not in a cell next to its last one" :
+        fmt::format("it is {:.2g} m beyond the wall "
+                    "\"{}\"",
+                    -wall->distance(position(point), locator.lines.time()),
+                    wall->name);
+    bool finite = true;
     for (unsigned int d = 0; d < dim; ++d)
       finite = finite && std::isfinite(position(point)[d]);
     if (finite && wall != nullptr && wall->condition == WallCondition::open)

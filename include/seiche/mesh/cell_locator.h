@@ -13,9 +13,9 @@ namespace seiche
    * segment and index on the finest lattice per direction, then the cell whose
    * lattice box holds the index. Cells are half-open, [lower, upper); only the
    * upper sides of the domain belong to their cell. The result depends on the
-   * position alone, never on the rank count. A position on a wall up to 1e-10
-   * of a cell belongs to the cell inside, one beyond a periodic side to where
-   * Periods::wrapped() takes it.
+   * position alone, never on the rank count. A position on a wall up to
+   * wall_tolerance cells belongs to the cell inside, one beyond a periodic side
+   * to where Periods::wrapped() takes it.
    */
   template <int dim>
   class CellLocator

@@ -165,9 +165,11 @@ namespace seiche
     Found
     find_cells(std::vector<std::size_t> &emigrants);
     /// A point less than half a cell within an obstacle along which the fluid
-    /// slips: set it on the nearest place of its last cell or of those around.
-    /// At convex edges nodes move across a face, so that the field between them
-    /// and the next nodes may cut the edge. The cell, or invalid.
+    /// slips, or behind a unilateral side: set it on the nearest place of its
+    /// last cell or of those around. At dry convex edges nodes move across a
+    /// face, so that the field between them and the next nodes may cut the
+    /// edge; what meets a unilateral wall within a step has the wall's velocity
+    /// at its end only. The cell, or invalid.
     unsigned int
     set_on_wall(const std::size_t point);
     /// A point that is in no cell: outflow or lost.

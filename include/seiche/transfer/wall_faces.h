@@ -2,6 +2,7 @@
 #ifndef seiche_transfer_wall_faces_h
 #define seiche_transfer_wall_faces_h
 
+#include <seiche/mesh/wall_tolerance.h>
 #include <seiche/space/occupancy.h>
 
 #include <algorithm>
@@ -10,10 +11,6 @@
 
 namespace seiche
 {
-  /// Way of a point through a wall [cells] up to which it is put on the wall
-  /// (CellLocator): round-off.
-  constexpr double wall_tolerance = 1e-10;
-
   /// Faces of a cell on closed walls, and where a step takes them.
   template <int dim, int degree>
   class WallFaces
@@ -38,8 +35,9 @@ namespace seiche
           upper[d]   = infinite;
           for (unsigned int side = 0; side < 2; ++side)
             {
-              if (locator.cells.closed_wall_at(cell, BoxFace(d, side)) ==
-                  nullptr)
+              const Wall<dim> *const wall =
+                locator.cells.closed_wall_at(cell, BoxFace(d, side));
+              if (wall == nullptr)
                 continue;
               // where nodes differ (hanging ones, contacts) the farthest counts
               const auto &constraints = occupancy.constraints;
