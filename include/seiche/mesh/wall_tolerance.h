@@ -4,8 +4,8 @@
 
 namespace seiche
 {
-  /// Way of a point through a wall [cells] up to which it counts as on it and is
-  /// put there: round-off of an update of the position.
+  /// Way of a point through a wall [cells] up to which it counts as on it and
+  /// is put there: round-off of an update of the position.
   constexpr double wall_tolerance = 1e-10;
 } // namespace seiche
 
