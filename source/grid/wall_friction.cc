@@ -122,11 +122,17 @@ namespace seiche
     v *= -way / (1. + way);
     for (unsigned int c = 0; c < dim; ++c)
       state.velocity_start.local_element(dim * node + c) += v[c];
-    const double mass = row_mass.value(state, node);
+    const double   mass = row_mass.value(state, node);
+    Tensor<1, dim> impulse;
+    for (unsigned int c = 0; c < dim; ++c)
+      impulse[c] =
+        v[c] * (state.unseen_mass.size() > 0 ?
+                  mass - state.unseen_mass.local_element(dim * node + c) :
+                  mass);
     for (auto contact = begin; contact != end; ++contact)
       if (holds(*contact))
         state.drags.push_back(
-          {node, contact->wall, contact->rate / k * mass / state.dt * v});
+          {node, contact->wall, contact->rate / k / state.dt * impulse});
   }
 
   template class WallFriction<2>;
