@@ -113,7 +113,7 @@ namespace seiche
 
     begin_of_row.assign(1, 0);
     column.clear();
-    std::vector<unsigned int> last_seen(n_rows, Occupancy<dim>::invalid);
+    std::vector<unsigned int> last_seen(n_rows, numbers::invalid_unsigned_int);
     for (unsigned int row = 0; row < n_rows; ++row)
       {
         last_seen[row] = row;

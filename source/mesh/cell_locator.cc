@@ -24,7 +24,6 @@ namespace seiche
   void
   CellLocator<dim>::reinit()
   {
-    lines.reinit();
     cells.reinit(lattice);
   }
 

@@ -9,14 +9,14 @@ namespace seiche
   GridLines<dim>::GridLines(const BackgroundGrid<dim> &background_grid)
     : grid(background_grid)
   {
-    reinit();
+    make_lines();
   }
 
 
 
   template <int dim>
   void
-  GridLines<dim>::reinit()
+  GridLines<dim>::make_lines()
   {
     obstacle_shift = grid.finest_level() - grid.lattice_level();
     for (unsigned int d = 0; d < dim; ++d)
@@ -82,7 +82,7 @@ namespace seiche
   {
     motion        = &grid_motion;
     time_of_lines = time;
-    reinit();
+    make_lines();
   }
 
 

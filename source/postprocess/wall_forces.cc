@@ -55,9 +55,9 @@ namespace seiche
     {
       if (face == "all")
         return true;
-      const unsigned int side  = side_called<dim>(face);
-      const unsigned int d     = side / 2;
-      const double       place = side % 2 == 0 ? lower[d] : upper[d];
+      const BoxFace      side  = side_called<dim>(face);
+      const unsigned int d     = side.direction();
+      const double       place = side.is_upper() ? upper[d] : lower[d];
       return component == d &&
              std::abs(x[d] - place) <= wall_slack(domain.side_length(d));
     }
@@ -69,11 +69,11 @@ namespace seiche
                  const std::string      &face,
                  const BoundingBox<dim> &domain)
     {
-      const unsigned int side = side_called<dim>(face);
-      const unsigned int d    = side / 2;
+      const BoxFace      side = side_called<dim>(face);
+      const unsigned int d    = side.direction();
       const auto         at   = domain.get_boundary_points();
-      return std::abs(side % 2 == 0 ? box.lower_corner[d] - at.first[d] :
-                                      box.upper_corner[d] - at.second[d]) <=
+      return std::abs(side.is_upper() ? box.upper_corner[d] - at.second[d] :
+                                        box.lower_corner[d] - at.first[d]) <=
              wall_slack(domain.side_length(d));
     }
 

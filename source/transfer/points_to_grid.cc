@@ -124,11 +124,8 @@ namespace seiche
                 x;
               for (unsigned int c = 0; c < dim; ++c)
                 {
-                  double value = velocity.value(p, c);
-                  if (velocity.is_affine())
-                    for (unsigned int d = 0; d < dim; ++d)
-                      value += velocity.derivative(p, c, d) * arm[d];
-                  sums.momentum[c][i] += N[i] * value;
+                  sums.momentum[c][i] +=
+                    N[i] * velocity.value_beside(p, c, arm);
                   if (with_acceleration)
                     sums.acceleration[c][i] += N[i] * arrays.acceleration[c][p];
                 }

@@ -53,14 +53,10 @@ namespace seiche
                     x;
                   for (unsigned int c = 0; c < dim; ++c)
                     {
-                      double value = velocity.value(p, c);
-                      if (velocity.is_affine())
-                        for (unsigned int d = 0; d < dim; ++d)
-                          value += velocity.derivative(p, c, d) * arm[d];
                       const unsigned int entry = dim * nodes[i] + c;
                       state.unseen_mass.local_element(entry) += unseen[c][i];
                       state.unseen_velocity.local_element(entry) +=
-                        unseen[c][i] * value;
+                        unseen[c][i] * velocity.value_beside(p, c, arm);
                     }
                 }
             }

@@ -29,10 +29,6 @@ namespace seiche
     /// @p grid must outlive the object.
     explicit GridLines(const BackgroundGrid<dim> &grid);
 
-    /// After a change of the finest level.
-    void
-    reinit();
-
     /// To where @p motion, which must outlive the object, has them at @p time
     /// [s], and later meshes' too.
     void
@@ -119,6 +115,10 @@ namespace seiche
       unsigned int
       index(const double x) const;
     };
+
+    /// All lines, as @p motion has them.
+    void
+    make_lines();
 
     /// @p motion: null for those of the triangulation.
     Line

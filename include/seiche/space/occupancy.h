@@ -27,8 +27,6 @@ namespace seiche
   public:
     using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-    static constexpr unsigned int invalid = static_cast<unsigned int>(-1);
-
     Occupancy(const CellLocator<dim> &locator, const unsigned int degree);
 
     /// Number the full mesh; after each change of the mesh. Collective.

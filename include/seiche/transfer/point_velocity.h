@@ -70,6 +70,19 @@ namespace seiche
       return fitted ? slope[c][d] : share * arrays.gradient[c * dim + d][p];
     }
 
+    /// Component c at @p arm from the point [m].
+    double
+    value_beside(const std::size_t             p,
+                 const unsigned int            c,
+                 const dealii::Tensor<1, dim> &arm) const
+    {
+      double result = value(p, c);
+      if (is_affine())
+        for (unsigned int d = 0; d < dim; ++d)
+          result += derivative(p, c, d) * arm[d];
+      return result;
+    }
+
   private:
     /// The linear field that is closest to the velocities of the cell's
     /// points, weighted by mass (Taylor least squares: Wobbes, Moller,
