@@ -127,7 +127,8 @@ namespace seiche
       for (const unsigned int cell : occupancy.cells.occupied())
         this->template set_zeros_in<degree>(cell, components);
     });
-    occupancy.constraints.share_zeros();
+    occupancy.zero_components.share(
+      occupancy.nodes.partitioner()->get_mpi_communicator());
   }
 
   template <int dim>
@@ -155,7 +156,8 @@ namespace seiche
           if (is_on_face<dim>(degree, a, face) &&
               (((edge_components[unknowns[a]] >> d) & 1u) ||
                (unknowns.matrix != nullptr && !unknowns.matrix->is_free(a))))
-            occupancy.constraints.set_zero_in(cell, degree, d, a);
+            occupancy.zero_components.add(
+              cell, occupancy.locator.cells.size(), degree, d, a);
       }
   }
 

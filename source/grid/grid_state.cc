@@ -20,8 +20,9 @@ namespace seiche
                            &reaction,
                            &start_reaction})
       vector->reinit(components);
+    unseen_series.reinit(0);
     for (Vector *vector : {&unseen_velocity, &unseen_mass})
-      if (occupancy.constraints.exist_zeros())
+      if (occupancy.zero_components.exist())
         vector->reinit(components);
       else
         vector->reinit(0);

@@ -29,11 +29,6 @@ namespace seiche
       const dealii::Point<dim> image = locator.image(here, cell);
       const dealii::Point<dim> inside =
         locator.cells.geometry(cell).clamped(image);
-      const dealii::Tensor<1, dim> depth =
-        locator.cells.geometry(last).to_unit(inside - image);
-      for (unsigned int d = 0; d < dim; ++d)
-        if (std::abs(depth[d]) > 0.5)
-          return;
       if (inside.distance(image) < nearest)
         {
           nearest = inside.distance(image);

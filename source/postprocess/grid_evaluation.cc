@@ -150,7 +150,7 @@ namespace seiche
     for (unsigned int a = 0; a < shapes.size(); ++a)
       for (unsigned int d = 0; d < dim; ++d)
         sum[d] += shapes[a] * field.local_element(dim * node[a] + d);
-    if (occupancy.constraints.zeros_in(cell, occupancy.degree(cell)) != nullptr)
+    if (occupancy.zero_components.in(cell, occupancy.degree(cell)) != nullptr)
       with_degree(occupancy.degree(cell), [&](const auto degree) {
         double                          nodal[dim][Basis<dim, degree>::n_nodes];
         PointBatch<dim, degree, double> point;

@@ -176,6 +176,12 @@ namespace seiche
   {
     const TimeScheme<dim> &scheme = *problem.time_scheme;
     const StepCoefficients step   = scheme.coefficients(state.dt);
+    if (state.acceleration_n.size() > 0)
+      {
+        problem.occupancy.constraints.for_each_fixed(
+          [&](const auto &wall) { wall.set(state.acceleration_n, 0.); });
+        state.acceleration_n.update_ghost_values();
+      }
     scheme.predict(state);
     if (const auto *closed = problem.assembler.closed_chambers())
       {

@@ -18,9 +18,6 @@ namespace seiche
     mesh_node   = &nodes;
     partitioner = node_partitioner;
     obliques.clear();
-    zeros_of_cell.clear();
-    zeros.clear();
-    zeros_exist = false;
     at_faces.assign(partitioner->locally_owned_size(), 0);
     fixed.resize(nodes.size());
     for (unsigned int node = 0; node < fixed.size(); ++node)
@@ -65,22 +62,6 @@ namespace seiche
 
   template <int dim>
   void
-  NodeConstraints<dim>::set_zero_in(const unsigned int cell,
-                                    const unsigned int degree,
-                                    const unsigned int component,
-                                    const unsigned int a)
-  {
-    zeros_of_cell.resize(mesh.locator.cells.size(), 0);
-    if (zeros_of_cell[cell] == 0)
-      {
-        zeros.emplace_back();
-        zeros_of_cell[cell] = zeros.size();
-      }
-    zeros[zeros_of_cell[cell] - 1][degree - 1][component] |= 1u << a;
-  }
-
-  template <int dim>
-  void
   NodeConstraints<dim>::set_released(const WallDirection<dim> &direction,
                                      const bool                released)
   {
@@ -99,15 +80,6 @@ namespace seiche
     mask.update_ghost_values();
     for (unsigned int node = held.size(); node < fixed.size(); ++node)
       fixed[node] = static_cast<unsigned int>(mask.local_element(node));
-  }
-
-  template <int dim>
-  void
-  NodeConstraints<dim>::share_zeros()
-  {
-    zeros_exist =
-      Utilities::MPI::logical_or(!zeros.empty(),
-                                 partitioner->get_mpi_communicator());
   }
 
   template <int dim>

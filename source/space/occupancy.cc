@@ -64,6 +64,7 @@ namespace seiche
       }
     reset_matrices();
     constraints.reinit(nodes.in_mesh(), nodes.partitioner());
+    zero_components.clear();
   }
 
   template <int dim>

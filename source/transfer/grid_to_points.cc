@@ -47,6 +47,9 @@ namespace seiche
         , velocity_series(state.velocity_series.size() > 0 ?
                             state.velocity_series.begin() :
                             nullptr)
+        , unseen_series(state.unseen_series.size() > 0 ?
+                          state.unseen_series.begin() :
+                          nullptr)
         , acceleration_np1(state.acceleration_np1.size() > 0 ?
                              state.acceleration_np1.begin() :
                              nullptr)
@@ -59,9 +62,10 @@ namespace seiche
         nodes.read(velocity_new, source);
         const bool series = method.update == VelocityUpdate::xpic;
         if (const double share = series ? 1. : keep; share > 0.)
-          subtract(velocity_n, share, nodes);
+          // what the points bring to a wall they leave there
+          subtract(velocity_n, unseen_velocity, share, nodes);
         if (series)
-          subtract(velocity_series, -1., nodes);
+          subtract(velocity_series, unseen_series, -1., nodes);
         if (acceleration_np1 != nullptr)
           nodes.read(acceleration_np1, acceleration);
       }
@@ -121,18 +125,19 @@ namespace seiche
         return method.update == VelocityUpdate::flip_acceleration;
       }
 
-      /// source -= share times a nodal vector.
+      /// source -= share times a nodal vector, of which @p unseen (or null)
+      /// is what it leaves out.
       void
       subtract(const double                    *vector,
+               const double                    *unseen,
                const double                     share,
                const CellUnknowns<dim, degree> &nodes)
       {
         NodalVector values;
-        if (unseen_velocity == nullptr)
+        if (unseen == nullptr)
           nodes.read(vector, values);
         else
-          // what the points bring to a wall they leave there
-          nodes.read(vector, unseen_velocity, values);
+          nodes.read(vector, unseen, values);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int i = 0; i < Batch::n_nodes; ++i)
             source[c][i] -= share * values[c][i];
@@ -146,6 +151,7 @@ namespace seiche
       const double         *velocity_new;
       const double         *velocity_np1;
       const double         *velocity_series;
+      const double         *unseen_series;
       const double         *acceleration_np1;
       NodalVector           end_velocity; // v_np1, for the gradient
       NodalVector           source;

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/ghost_face_matrix.h>
-#include <seiche/mesh/assembled_faces.h>
 #include <seiche/space/point_batch.h>
 #include <seiche/transfer/mass_matrix.h>
 #include <seiche/utilities/exceptions.h>
 
-#include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/solver_cg.h>
 
 #include <fmt/format.h>
@@ -16,116 +13,46 @@ namespace seiche
 
   namespace
   {
-    /// As gamma_a of the ghost penalty on accelerations, with which it shares
-    /// the scale rho h^3, near the surface. Elsewhere less: clusters and gaps
-    /// of the points leave combinations of a cell's nodes free in full cells
-    /// too.
-    constexpr double ghost_factor = 0.1, inner_factor = 0.01;
-
     constexpr double       tolerance      = 1e-12; // of the right-hand side
     constexpr double       acceptable     = 1e-5;  // where round-off stops it
     constexpr unsigned int max_iterations = 500;
+
+    /// Diagonal preconditioner of fields with or without a block 1.
+    template <typename Field>
+    struct Jacobi
+    {
+      const Field &inverse_diagonal;
+
+      void
+      vmult(Field &dst, const Field &src) const
+      {
+        for (unsigned int k = 0; k < src.n_blocks(); ++k)
+          {
+            dst.block(k) = src.block(k);
+            dst.block(k).scale(inverse_diagonal.block(k));
+          }
+      }
+    };
   } // namespace
 
   template <int dim>
-  MassMatrix<dim>::MassMatrix(const PointCloud<dim>    &cloud,
-                              const Fill<dim>          &grid_fill,
-                              const CellMaterials<dim> &materials,
-                              const bool                ghost_penalty,
-                              const Vector             *masses_of_linear_cells)
-    : points(cloud)
-    , fill(grid_fill)
-    , occupancy(grid_fill.occupancy)
-    , linear_masses(masses_of_linear_cells)
+  typename MassMatrix<dim>::Field
+  MassMatrix<dim>::field(const Vector &seen, const Vector &unseen)
   {
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
-      this->template collect_cells<degree>();
-      if (ghost_penalty)
-        this->template collect_faces<degree>(materials);
-    });
-
-    inverse_diagonal.reinit(occupancy.nodes.vector_partitioner());
-    for (const Block &block : blocks)
-      for (unsigned int a = 0; a < block.nodes.size(); ++a)
-        for (unsigned int c = 0; c < dim; ++c)
-          inverse_diagonal.local_element(dim * block.nodes[a] + c) +=
-            block.values[a * block.nodes.size() + a];
-    inverse_diagonal.compress(VectorOperation::add);
-    for (unsigned int i = 0; i < inverse_diagonal.locally_owned_size(); ++i)
-      {
-        double &value = inverse_diagonal.local_element(i);
-        if (linear_masses != nullptr)
-          value += linear_masses->local_element(i / dim);
-        value = value > 0. ? 1. / value : 0.;
-      }
-  }
-
-  template <int dim>
-  template <int degree>
-  void
-  MassMatrix<dim>::collect_cells()
-  {
-    PointBatch<dim, degree, double> point;
-    constexpr unsigned int          n_nodes = point.n_nodes;
-    const double                   *mass    = points.data(PointColumn::mass);
-    for (const unsigned int cell : occupancy.cells.occupied())
-      {
-        if (is_lumped(cell))
-          continue;
-        const auto &geometry = points.locator.cells.geometry(cell);
-        double      matrix[n_nodes][n_nodes] = {};
-        for (const std::size_t p : points.points_in(cell))
-          {
-            point.reinit_values(geometry.to_unit(points.position(p)));
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              for (unsigned int b = 0; b < n_nodes; ++b)
-                matrix[a][b] += mass[p] * point.N[a] * point.N[b];
-          }
-        occupancy.template unknowns<degree>(cell).condense_matrix(matrix);
-        const unsigned int *nodes = occupancy.nodes.of_cell(cell);
-        blocks.push_back({{nodes, nodes + n_nodes},
-                          {&matrix[0][0], &matrix[0][0] + n_nodes * n_nodes}});
-      }
-  }
-
-  template <int dim>
-  template <int degree>
-  void
-  MassMatrix<dim>::collect_faces(const CellMaterials<dim> &materials)
-  {
-    GhostFaceMatrix<dim, degree> face_matrix;
-    for_each_assembled_face(
-      occupancy.locator,
-      occupancy.cells.occupied(),
-      [&](const unsigned int cell) {
-        return occupancy.cells.is_occupied(cell);
-      },
-      [&](const unsigned int lower,
-          const unsigned int upper,
-          const unsigned int direction) {
-        if (is_lumped(lower) && is_lumped(upper))
-          return;
-        face_matrix.evaluate({lower, upper, direction, /*fragment=*/false},
-                             occupancy);
-        const unsigned int n = face_matrix.n_nodes;
-        const double       factor =
-          (fill.is_cut(lower) || fill.is_cut(upper) ? ghost_factor :
-                                                      inner_factor) *
-          materials.mean(lower, upper).mass(std::pow(face_matrix.h, 3));
-        Block block;
-        block.nodes.assign(face_matrix.nodes, face_matrix.nodes + n);
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < n; ++b)
-            block.values.push_back(factor * face_matrix.B[a][b]);
-        blocks.push_back(std::move(block));
-      });
+    Field result(unseen.size() > 0 ? 2 : 1);
+    result.block(0) = seen;
+    if (result.n_blocks() == 2)
+      result.block(1) = unseen;
+    result.collect_sizes();
+    return result;
   }
 
   template <int dim>
   void
-  MassMatrix<dim>::right_hand_side(const PointColumn column, Vector &dst) const
+  MassMatrix<dim>::add_right_hand_side(const PointColumn column,
+                                       Field            &dst) const
   {
-    dst.reinit(occupancy.nodes.vector_partitioner());
+    dst.zero_out_ghost_values();
     with_degree(occupancy.fe.degree, [&](const auto degree) {
       this->template sum_points<degree>(column, dst);
     });
@@ -135,7 +62,7 @@ namespace seiche
   template <int dim>
   template <int degree>
   void
-  MassMatrix<dim>::sum_points(const PointColumn column, Vector &dst) const
+  MassMatrix<dim>::sum_points(const PointColumn column, Field &dst) const
   {
     PointBatch<dim, degree, double> point;
     const double                   *mass = points.data(PointColumn::mass);
@@ -155,14 +82,41 @@ namespace seiche
                   sum[c][a] += point.N[a] * momentum;
               }
           }
-        occupancy.template unknowns<degree>(cell).add_to_nodes(sum,
-                                                               dst.begin());
+        const auto nodes = occupancy.template unknowns<degree>(cell);
+        if (dst.n_blocks() == 2)
+          nodes.add_to_zeros(sum, dst.block(1).begin());
+        nodes.add(sum, dst.block(0).begin());
+      }
+  }
+
+  template <int dim>
+  template <int degree>
+  void
+  MassMatrix<dim>::add_edge_cells(Field &dst, const Field &src) const
+  {
+    constexpr unsigned int n           = Basis<dim, degree>::n_nodes;
+    const bool             with_unseen = src.n_blocks() == 2;
+    for (const EdgeCell &edge_cell : edge_cells)
+      {
+        const auto nodes = occupancy.template unknowns<degree>(edge_cell.cell);
+        double     values[dim][n], product[dim][n] = {};
+        if (with_unseen)
+          nodes.read(src.block(0).begin(), src.block(1).begin(), values);
+        else
+          nodes.read(src.block(0).begin(), values);
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int a = 0; a < n; ++a)
+            for (unsigned int b = 0; b < n; ++b)
+              product[c][a] += edge_cell.values[a * n + b] * values[c][b];
+        if (with_unseen)
+          nodes.add_to_zeros(product, dst.block(1).begin());
+        nodes.add(product, dst.block(0).begin());
       }
   }
 
   template <int dim>
   void
-  MassMatrix<dim>::vmult(Vector &dst, const Vector &src) const
+  MassMatrix<dim>::vmult(Field &dst, const Field &src) const
   {
     src.update_ghost_values();
     dst = 0.;
@@ -176,31 +130,42 @@ namespace seiche
               double sum = 0.;
               for (unsigned int b = 0; b < n; ++b)
                 sum += block.values[a * n + b] *
-                       src.local_element(dim * block.nodes[b] + c);
-              dst.local_element(dim * block.nodes[a] + c) += sum;
+                       src.block(0).local_element(dim * block.nodes[b] + c);
+              dst.block(0).local_element(dim * block.nodes[a] + c) += sum;
             }
       }
+    if (!edge_cells.empty())
+      with_degree(occupancy.fe.degree, [&](const auto degree) {
+        this->template add_edge_cells<degree>(dst, src);
+      });
     dst.compress(VectorOperation::add);
     src.zero_out_ghost_values();
-    if (linear_masses != nullptr)
-      for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
-        dst.local_element(i) +=
-          linear_masses->local_element(i / dim) * src.local_element(i);
-    for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
-      if (inverse_diagonal.local_element(i) == 0.)
-        dst.local_element(i) = src.local_element(i);
+    for (unsigned int k = 0; k < dst.n_blocks(); ++k)
+      {
+        auto       &result   = dst.block(k);
+        const auto &argument = src.block(k);
+        for (unsigned int i = 0; i < result.locally_owned_size(); ++i)
+          {
+            if (linear_masses != nullptr)
+              result.local_element(i) +=
+                linear_masses->block(k).local_element(i) *
+                argument.local_element(i);
+            if (inverse_diagonal.block(k).local_element(i) == 0.)
+              result.local_element(i) = argument.local_element(i);
+          }
+      }
   }
 
   template <int dim>
   void
-  MassMatrix<dim>::solve(Vector &v, const Vector &b) const
+  MassMatrix<dim>::solve(Field &v, const Field &b) const
   {
     v.zero_out_ghost_values();
-    SolverControl          control(max_iterations,
+    SolverControl       control(max_iterations,
                           std::max(tolerance * b.l2_norm(),
                                    std::numeric_limits<double>::min()));
-    SolverCG<Vector>       solver(control);
-    DiagonalMatrix<Vector> jacobi(inverse_diagonal);
+    SolverCG<Field>     solver(control);
+    const Jacobi<Field> jacobi{inverse_diagonal};
     try
       {
         solver.solve(*this, v, b, jacobi);
@@ -220,20 +185,23 @@ namespace seiche
 
   template <int dim>
   void
-  MassMatrix<dim>::expand(Vector            &v,
-                          const Vector      &b,
-                          const Vector      &lumped,
+  MassMatrix<dim>::expand(Field             &v,
+                          const Field       &b,
+                          const Field       &lumped,
                           const unsigned int n_times) const
   {
     v.zero_out_ghost_values();
-    Vector product(v);
-    for (unsigned int k = 0; k < n_times; ++k)
+    Field product(v);
+    for (unsigned int step = 0; step < n_times; ++step)
       {
         vmult(product, v);
-        for (unsigned int i = 0; i < v.locally_owned_size(); ++i)
-          if (const double mass = lumped.local_element(i / dim); mass > 0.)
-            v.local_element(i) +=
-              (b.local_element(i) - product.local_element(i)) / mass;
+        for (unsigned int k = 0; k < v.n_blocks(); ++k)
+          for (unsigned int i = 0; i < v.block(k).locally_owned_size(); ++i)
+            if (const double mass = lumped.block(k).local_element(i); mass > 0.)
+              v.block(k).local_element(i) +=
+                (b.block(k).local_element(i) -
+                 product.block(k).local_element(i)) /
+                mass;
       }
   }
 

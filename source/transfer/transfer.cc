@@ -99,20 +99,29 @@ namespace seiche
 
 
 
+  std::vector<std::string>
+  transfer_names()
+  {
+    std::vector<std::string> names;
+    for (const TransferMethod &method : transfer_table)
+      names.emplace_back(method.name);
+    return names;
+  }
+
+
+
   void
   TransferParameters::add_parameters(dealii::ParameterHandler &prm)
   {
-    std::string names, text = "How velocities pass between points and grid.";
+    std::string text = "How velocities pass between points and grid.";
     for (const TransferMethod &entry : transfer_table)
-      {
-        names += (names.empty() ? "" : "|") + std::string(entry.name);
-        text += std::string(" ") + entry.name + ": " + entry.description + ".";
-      }
+      text += std::string(" ") + entry.name + ": " + entry.description + ".";
     prm.enter_subsection("Transfer");
     prm.add_parameter("Method",
                       method,
                       text,
-                      dealii::Patterns::Selection(names));
+                      dealii::Patterns::Selection(
+                        fmt::format("{}", fmt::join(transfer_names(), "|"))));
     prm.add_parameter("FLIP fraction",
                       flip_fraction,
                       "Share of FLIP in the method \"PIC/FLIP blend\". [-]",

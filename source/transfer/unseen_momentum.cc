@@ -19,6 +19,8 @@ namespace seiche
       constexpr unsigned int n_nodes = Basis<dim, degree>::n_nodes;
       const PointArrays<dim, const PointCloud<dim>> arrays(points);
       PointBatch<dim, degree, double>               point;
+      const bool with_acceleration = state.acceleration_n.size() > 0 &&
+                                     points.has(PointColumn::acceleration);
       for (const unsigned int cell : occupancy.cells.occupied())
         {
           if (occupancy.degree(cell) != degree)
@@ -57,6 +59,9 @@ namespace seiche
                       state.unseen_mass.local_element(entry) += unseen[c][i];
                       state.unseen_velocity.local_element(entry) +=
                         unseen[c][i] * velocity.value_beside(p, c, arm);
+                      if (with_acceleration)
+                        state.acceleration_n.local_element(entry) -=
+                          unseen[c][i] * arrays.acceleration[c][p];
                     }
                 }
             }
@@ -70,28 +75,30 @@ namespace seiche
                   const Occupancy<dim>  &occupancy,
                   const GradientUse      gradient,
                   const bool             is_consistent,
+                  const bool             linear_cells_only,
                   GridState<dim>        &state)
   {
+    if (state.acceleration_n.size() > 0)
+      state.acceleration_n.zero_out_ghost_values();
     occupancy.for_each_degree([&](const auto degree) {
-      add_cells<dim, degree>(points, occupancy, gradient, is_consistent, state);
+      if (degree == 1 || !linear_cells_only)
+        add_cells<dim, degree>(
+          points, occupancy, gradient, is_consistent, state);
     });
     state.unseen_mass.compress(VectorOperation::add);
     state.unseen_velocity.compress(VectorOperation::add);
+    if (state.acceleration_n.size() > 0)
+      state.acceleration_n.compress(VectorOperation::add);
     state.velocity_n.add(-1., state.unseen_velocity);
   }
 
   template <int dim>
   void
-  find_unseen_velocity(const bool is_consistent, GridState<dim> &state)
+  find_unseen_velocity(GridState<dim> &state)
   {
     for (unsigned int i = 0; i < state.unseen_mass.locally_owned_size(); ++i)
-      {
-        const double mass  = state.unseen_mass.local_element(i);
-        double      &value = state.unseen_velocity.local_element(i);
-        value              = mass == 0.    ? 0. :
-                             is_consistent ? state.velocity_n.local_element(i) :
-                                             value / mass;
-      }
+      if (const double mass = state.unseen_mass.local_element(i); mass != 0.)
+        state.unseen_velocity.local_element(i) /= mass;
     state.unseen_velocity.update_ghost_values();
   }
 
@@ -105,13 +112,14 @@ namespace seiche
         state.unseen_velocity.local_element(i) / state.dt;
   }
 
-#define INSTANTIATE(dim)                                            \
-  template void take_out_unseen(const PointCloud<dim> &,            \
-                                const Occupancy<dim> &,             \
-                                const GradientUse,                  \
-                                const bool,                         \
-                                GridState<dim> &);                  \
-  template void find_unseen_velocity(const bool, GridState<dim> &); \
+#define INSTANTIATE(dim)                                 \
+  template void take_out_unseen(const PointCloud<dim> &, \
+                                const Occupancy<dim> &,  \
+                                const GradientUse,       \
+                                const bool,              \
+                                const bool,              \
+                                GridState<dim> &);       \
+  template void find_unseen_velocity(GridState<dim> &);  \
   template void add_unseen_impulse(GridState<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -353,16 +353,7 @@ main(int argc, char **argv)
     test<2>(arguments...);
     test<3>(arguments...);
   };
-  for (const char *method : {"PIC",
-                             "FLIP",
-                             "FLIP acceleration",
-                             "PIC/FLIP blend",
-                             "APIC",
-                             "TPIC",
-                             "affine FLIP",
-                             "Taylor least squares",
-                             "XPIC",
-                             "FMPM"})
+  for (const std::string &method : seiche::transfer_names())
     in_2d_and_3d(method);
   for (const char *method : {"FLIP acceleration", "affine FLIP"})
     in_2d_and_3d(method, /*adaptive=*/true);

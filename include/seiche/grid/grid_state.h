@@ -33,6 +33,16 @@ namespace seiche
       return solution.n_blocks() == 2;
     }
 
+    /// Mass of the points that count for a component of velocity_n [kg].
+    double
+    seen_mass(const unsigned int node, const unsigned int component) const
+    {
+      return mass.local_element(node) -
+             (unseen_mass.size() > 0 ?
+                unseen_mass.local_element(dim * node + component) :
+                0.);
+    }
+
     double time = 0.; ///< [s] t_n, start of the step
     double dt   = 0.; ///< [s] step size
 
@@ -42,7 +52,8 @@ namespace seiche
     /// which velocity_n leaves out: mean [m/s] and mass [kg]; empty: none.
     Vector unseen_velocity, unseen_mass;
     Vector velocity_start;  ///< [m/s] v_0: with walls, projected
-    Vector velocity_series; ///< [m/s] XPIC: M^-1 p by its series, or empty
+    Vector velocity_series, ///< [m/s] XPIC: M^-1 p by its series, or empty;
+      unseen_series;        ///< of what velocity_n leaves out
     Vector acceleration_n;  ///< [m/s^2] empty unless the scheme carries it or
                             ///< the step's error is estimated from it
 

@@ -2,7 +2,6 @@
 #ifndef seiche_space_node_constraints_h
 #define seiche_space_node_constraints_h
 
-#include <seiche/space/cell_unknowns.h>
 #include <seiche/space/mesh_nodes.h>
 
 #include <unordered_map>
@@ -85,9 +84,9 @@ namespace seiche
    *
    * Components are bits: bit c stands for coordinate c, bit dim for an oblique
    * normal, which takes the place of components that walls fix (doc/theory.md
-   * (8.0d)). At convex edges a component is zero in the cells at one face alone
-   * (8.0c). Nodes have the compact numbers of NodeNumbering; own nodes are
-   * changed here and there, and share() makes them known.
+   * (8.0d)). What is zero in single cells alone: ZeroComponents. Nodes have the
+   * compact numbers of NodeNumbering; own nodes are changed here and there, and
+   * share() makes them known.
    */
   template <int dim>
   class NodeConstraints
@@ -177,30 +176,6 @@ namespace seiche
                 const unsigned int            components,
                 const dealii::Tensor<1, dim> &normal);
 
-    /// A component of a vector field is zero at node @p a of an own cell's
-    /// element of this degree, in this cell alone.
-    void
-    set_zero_in(const unsigned int cell,
-                const unsigned int degree,
-                const unsigned int component,
-                const unsigned int a);
-
-    /// These components; null: none.
-    const ComponentBits<dim> *
-    zeros_in(const unsigned int cell, const unsigned int degree) const
-    {
-      return zeros_of_cell.empty() || zeros_of_cell[cell] == 0 ?
-               nullptr :
-               &zeros[zeros_of_cell[cell] - 1][degree - 1];
-    }
-
-    /// True if there are some on any rank, once share_zeros() has been called.
-    bool
-    exist_zeros() const
-    {
-      return zeros_exist;
-    }
-
     /// f(direction, components) for the directions in which walls with fluid
     /// at them hold an own node, released or not; the walls of these
     /// components (coordinates) make them.
@@ -236,10 +211,6 @@ namespace seiche
     /// Fixed components of ghost nodes from their owners. Collective.
     void
     share();
-
-    /// Whether exist_zeros(). Collective.
-    void
-    share_zeros();
 
     /// The same as share(), and oblique normals. Collective.
     void
@@ -280,10 +251,6 @@ namespace seiche
     std::vector<unsigned int>                 fixed;    ///< own and ghost nodes
     std::unordered_map<unsigned int, Oblique> obliques; ///< by node
     std::vector<unsigned int>                 at_faces; ///< own nodes
-    /// By own and ghost cell, one more than its place in zeros; 0: none.
-    std::vector<unsigned int>                      zeros_of_cell;
-    std::vector<std::array<ComponentBits<dim>, 2>> zeros; ///< by degree - 1
-    bool zeros_exist = false;                             ///< on any rank
   };
 } // namespace seiche
 

@@ -7,6 +7,7 @@
 #include <seiche/space/node_constraints.h>
 #include <seiche/space/node_numbering.h>
 #include <seiche/space/occupied_cells.h>
+#include <seiche/space/zero_components.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -92,7 +93,7 @@ namespace seiche
     CellUnknowns<dim, degree>
     unknowns(const unsigned int cell) const
     {
-      const ComponentBits<dim> *zeros = constraints.zeros_in(cell, degree);
+      const ComponentBits<dim> *zeros = zero_components.in(cell, degree);
       if (degree == fe.degree)
         return {nodes.of_cell(cell), nullptr, cell_matrices[cell], zeros};
       const auto &vertices = mesh_nodes.linear_cells.vertices(cell);
@@ -154,8 +155,9 @@ namespace seiche
     MeshNodes<dim>     mesh_nodes;
     OccupiedCells<dim> cells;
     NodeNumbering<dim> nodes;
-    /// All walls hold after update().
+    /// All walls hold after update(), no component is zero in a cell alone.
     NodeConstraints<dim> constraints;
+    ZeroComponents<dim>  zero_components;
 
   private:
     void

@@ -22,7 +22,15 @@ namespace seiche
   class MassMatrix
   {
   public:
+    /// A vector field: block 0 are the values of the nodes, block 1 those in
+    /// the cells where a component is zero (doc/theory.md (8.0c)), which points
+    /// bring there; without a block 1 it is zero.
     using Vector = typename GridState<dim>::Vector;
+    using Field  = typename GridState<dim>::BlockVector;
+
+    /// @p unseen: block 1, or empty.
+    static Field
+    field(const Vector &seen, const Vector &unseen);
 
     /// Of the points where they are. The density of @p materials scales the
     /// ghost penalty (@p ghost_penalty: with it or without). @p masses_of_linear_cells [kg]:
@@ -32,29 +40,29 @@ namespace seiche
                const Fill<dim>          &fill,
                const CellMaterials<dim> &materials,
                const bool                ghost_penalty,
-               const Vector             *masses_of_linear_cells);
+               const Field              *masses_of_linear_cells);
 
-    /// sum_p m_p N v_p of a vector column of the points [dim] -> dst, without
-    /// lumped cells. Collective.
+    /// Add sum_p m_p N v_p of a vector column of the points [dim] to dst,
+    /// without lumped cells. Collective.
     void
-    right_hand_side(const PointColumn column, Vector &dst) const;
+    add_right_hand_side(const PointColumn column, Field &dst) const;
 
     /// dst = M src; rows without mass are identity. Collective.
     void
-    vmult(Vector &dst, const Vector &src) const;
+    vmult(Field &dst, const Field &src) const;
 
     /// The solution of M v = b by conjugate gradients from the value of v;
     /// throws NumericalError. Collective.
     void
-    solve(Vector &v, const Vector &b) const;
+    solve(Field &v, const Field &b) const;
 
     /// v <- v + M_L^-1 (b - M v), @p n_times: the series of Hammerquist and
     /// Nairn (2017) and Nairn (2021) for M^-1, doc/theory.md (7.4). @p lumped:
-    /// nodal masses. Collective.
+    /// masses of the nodes by component. Collective.
     void
-    expand(Vector            &v,
-           const Vector      &b,
-           const Vector      &lumped,
+    expand(Field             &v,
+           const Field       &b,
+           const Field       &lumped,
            const unsigned int n_times) const;
 
   private:
@@ -63,6 +71,13 @@ namespace seiche
     {
       std::vector<unsigned int> nodes;
       std::vector<double>       values; // [a * nodes.size() + b]
+    };
+
+    /// A cell where components are zero: at the element's own nodes.
+    struct EdgeCell
+    {
+      unsigned int        cell;
+      std::vector<double> values;
     };
 
     template <int degree>
@@ -79,14 +94,26 @@ namespace seiche
 
     template <int degree>
     void
-    sum_points(const PointColumn column, Vector &dst) const;
+    sum_points(const PointColumn column, Field &dst) const;
+
+    template <int degree>
+    void
+    add_edge_cells(Field &dst, const Field &src) const;
+
+    template <int degree>
+    void
+    add_diagonals_of_edge_cells(Field &diagonal) const;
+
+    void
+    invert_diagonal();
 
     const PointCloud<dim> &points;
     const Fill<dim>       &fill;
     const Occupancy<dim>  &occupancy;
-    const Vector          *linear_masses; // of linear cells, or null
+    const Field           *linear_masses; // of linear cells, or null
     std::vector<Block>     blocks;
-    Vector                 inverse_diagonal; // zero where there is no mass
+    std::vector<EdgeCell>  edge_cells;
+    Field                  inverse_diagonal; // zero where there is no mass
   };
 } // namespace seiche
 

@@ -85,6 +85,10 @@ namespace seiche
   const TransferMethod &
   transfer_method(const std::string &name);
 
+  /// Of all rows, in their order.
+  std::vector<std::string>
+  transfer_names();
+
   /// Result of a trial of the convective phase, all ranks.
   struct StepCheck
   {
@@ -124,10 +128,9 @@ namespace seiche
     static std::set<PointColumn>
     columns(const TransferParameters &parameters);
 
-    /// Fills mass, velocity_n, acceleration_n (if present; fixed components
-    /// zero), pressure_guess of the state. Nodes without mass get zero. Walls
-    /// do not count for velocity_n, so that increments carry what they do to
-    /// the fluid to the points. Collective.
+    /// Fills mass, velocity_n, acceleration_n (if present), pressure_guess of
+    /// the state. Nodes without mass get zero. Walls do not count, so that
+    /// increments carry what they do to the fluid to the points. Collective.
     void
     points_to_grid(const PointCloud<dim> &points, GridState<dim> &state) const;
 

@@ -12,9 +12,10 @@ namespace seiche
    * Points of cells in which a component of a node is zero (doc/theory.md
    * (8.0c)) do not count for that component: take their momentum out of the
    * sums in state.velocity_n [kg m/s], and keep it in state.unseen_velocity,
-   * their masses in state.unseen_mass. state.mass has all points. With the
-   * consistent mass matrix, which takes a node as one, these masses are only
-   * for the impulse. Collective.
+   * their masses in state.unseen_mass; and their accelerations of those in
+   * state.acceleration_n. state.mass has all points. @p is_consistent: weights
+   * are the shape functions, as in the mass matrix, not the positive hats.
+   * Collective.
    */
   template <int dim>
   void
@@ -22,14 +23,13 @@ namespace seiche
                   const Occupancy<dim>  &occupancy,
                   const GradientUse      gradient,
                   const bool             is_consistent,
+                  const bool             linear_cells_only,
                   GridState<dim>        &state);
 
-  /// After the means: state.unseen_velocity from its sums, or, if the
-  /// consistent mass matrix has made one velocity of all points, that one.
-  /// Collective.
+  /// Means in place of the sums in state.unseen_velocity. Collective.
   template <int dim>
   void
-  find_unseen_velocity(const bool is_consistent, GridState<dim> &state);
+  find_unseen_velocity(GridState<dim> &state);
 
   /// Impulse over dt [N] of the walls on these points, which lose this velocity
   /// (8.0b), added to state.start_reaction. Own nodes.

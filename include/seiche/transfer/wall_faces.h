@@ -11,7 +11,8 @@
 
 namespace seiche
 {
-  /// Faces of a cell on closed walls, and where a step takes them.
+  /// Faces of a cell on walls that nothing may cross, and where a step takes
+  /// them.
   template <int dim, int degree>
   class WallFaces
   {
@@ -37,7 +38,9 @@ namespace seiche
             {
               const Wall<dim> *const wall =
                 locator.cells.closed_wall_at(cell, BoxFace(d, side));
-              if (wall == nullptr)
+              // points that cross a unilateral wall are set on it
+              if (wall == nullptr ||
+                  wall->condition == WallCondition::unilateral)
                 continue;
               // where nodes differ (hanging ones, contacts) the farthest counts
               const auto &constraints = occupancy.constraints;
