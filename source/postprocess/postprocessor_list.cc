@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
 #include <seiche/postprocess/alarms.h>
-#include <seiche/postprocess/grid_output.h>
+#include <seiche/postprocess/frames.h>
 #include <seiche/postprocess/mass_and_energy.h>
 #include <seiche/postprocess/output_parameters.h>
-#include <seiche/postprocess/paraview_state.h>
-#include <seiche/postprocess/point_output.h>
-#include <seiche/postprocess/point_series.h>
 #include <seiche/postprocess/postprocessor_list.h>
 #include <seiche/postprocess/postprocessor_table.h>
 #include <seiche/postprocess/scores.h>
-#include <seiche/postprocess/surface_output.h>
 #include <seiche/postprocess/verdicts.h>
-#include <seiche/postprocess/walls_output.h>
-#include <seiche/scene/entry_values.h>
 
 namespace seiche
 {
@@ -44,10 +38,6 @@ namespace seiche
       return std::get<BySubsections<dim, Made>>(rows).instances;
     }
 
-    /// Output objects; nothing is made without an interval.
-    void
-    make_frames(const PostprocessorContext<dim> &context);
-
     const InputFile &input;
 
     OutputParameters             output;
@@ -63,39 +53,6 @@ namespace seiche
     std::vector<Score>                      scores;
     bool                                    rejects = false;
   };
-
-  template <int dim>
-  void
-  PostprocessorList<dim>::Implementation::make_frames(
-    const PostprocessorContext<dim> &context)
-  {
-    if (context.directory.empty() || output.interval == 0.)
-      return;
-    const FrameSettings settings{context.directory,
-                                 output.interval,
-                                 entry_values::number(input,
-                                                      "Time/End time",
-                                                      input.value(
-                                                        "Time/End time"))};
-    if (output.grid)
-      list.push_back(std::make_unique<GridOutput<dim>>(settings,
-                                                       pressure,
-                                                       context.communicator));
-    if (output.points)
-      list.push_back(
-        std::make_unique<PointOutput<dim>>(settings, context.communicator));
-    if (output.surface)
-      list.push_back(
-        std::make_unique<SurfaceOutput<dim>>(settings, context.communicator));
-    if (output.series)
-      list.push_back(
-        std::make_unique<PointSeries<dim>>(settings, context.communicator));
-    list.push_back(std::make_unique<WallsOutput<dim>>(settings,
-                                                      context.grid,
-                                                      context.communicator));
-    list.push_back(std::make_unique<ParaViewState<dim>>(context.directory,
-                                                        context.communicator));
-  }
 
   template <int dim>
   PostprocessorList<dim>::PostprocessorList(const InputFile &input)
@@ -184,7 +141,7 @@ namespace seiche
       [&](const auto &row) { row.make(context, all.output, all.list); });
     for (const ScoreParameters &score : all.score_parameters)
       all.scores.emplace_back(score, all.input);
-    all.make_frames(context);
+    make_frames(context, all.output, all.list);
   }
 
   template <int dim>

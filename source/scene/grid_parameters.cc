@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
-#include <seiche/scene/background_grid.h>
 #include <seiche/scene/entry_values.h>
 #include <seiche/scene/grid_parameters.h>
-#include <seiche/scene/wall_slack.h>
+#include <seiche/scene/grid_segments.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -259,48 +258,6 @@ namespace seiche
                                   size(*wide),
                                   thinnest));
       }
-  }
-
-
-
-  template <int dim>
-  dealii::BoundingBox<dim>
-  GridParameters<dim>::domain() const
-  {
-    return dealii::BoundingBox<dim>({lower_corner, upper_corner});
-  }
-
-  template <int dim>
-  const Wall<dim> *
-  GridParameters<dim>::obstacle_at(const dealii::Point<dim> &place) const
-  {
-    for (const Wall<dim> &obstacle : obstacles())
-      if (obstacle.distance(place, /*t=*/0.) <= 0.)
-        return &obstacle;
-    return nullptr;
-  }
-
-  template <int dim>
-  dealii::Point<dim>
-  GridParameters<dim>::with_sides(const dealii::Point<dim>       &place,
-                                  const dealii::BoundingBox<dim> &box) const
-  {
-    const auto [low, high]    = box.get_boundary_points();
-    dealii::Point<dim> result = place;
-    for (unsigned int d = 0; d < dim; ++d)
-      {
-        const double slack = wall_slack(upper_corner[d] - lower_corner[d]);
-        for (const Wall<dim> &obstacle : obstacles())
-          for (const double face :
-               {obstacle.lower_corner[d], obstacle.upper_corner[d]})
-            if (std::abs(place[d] - face) <= slack)
-              result[d] = face;
-        if (std::abs(place[d] - lower_corner[d]) <= slack)
-          result[d] = low[d];
-        else if (std::abs(place[d] - upper_corner[d]) <= slack)
-          result[d] = high[d];
-      }
-    return result;
   }
 
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/scene/background_grid.h>
+#include <seiche/scene/grid_segments.h>
 #include <seiche/scene/mesh_estimate.h>
+
+#include <deal.II/base/geometry_info.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What GridParameters knows about periodic sides: no walls, but a seam.
 #include <seiche/parameters/input_file.h>
-#include <seiche/scene/background_grid.h>
+#include <seiche/scene/grid_segments.h>
 #include <seiche/scene/wall_slack.h>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/scene/background_grid.h>
+#include <seiche/scene/grid_segments.h>
 #include <seiche/scene/smallest_cell.h>
 #include <seiche/scene/wall_slack.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/result_folder.h>
+#include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/compatibility.h>
 #include <seiche/utilities/first_rank.h>
 #include <seiche/utilities/references.h>

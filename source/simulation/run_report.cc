@@ -2,6 +2,7 @@
 #include <seiche/simulation/run_report.h>
 #include <seiche/simulation/summary_file.h>
 #include <seiche/simulation/summary_text.h>
+#include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/result_names.h>
 
 #include <deal.II/base/mpi.h>

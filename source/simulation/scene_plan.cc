@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/points/body_pieces.h>
 #include <seiche/postprocess/output_parameters.h>
+#include <seiche/scene/speed_of_fall.h>
 #include <seiche/simulation/cost_model.h>
 #include <seiche/simulation/scene_plan.h>
 #include <seiche/utilities/readable.h>
@@ -47,54 +48,6 @@ namespace seiche
                      static_cast<double>(space.available);
     }
 
-    /// Speed of the fluid if it had all the potential energy that it loses on
-    /// its way to the lowest places of the domain: sqrt(g (H - H')) of a column
-    /// that becomes a pool [m/s]. Air where the force is no number is no way.
-    template <int dim>
-    double
-    speed_of_fall(const BodyForce<dim> &force, const SceneMap<dim> &map)
-    {
-      double volume = 0., energy = 0.;
-      struct Place
-      {
-        double potential, volume;
-      };
-      std::vector<Place> places;
-      map.for_each([&](const auto &piece) {
-        if (piece.content == SceneMap<dim>::obstacle)
-          return;
-        Tensor<1, dim> b;
-        try
-          {
-            b = force.value(piece.centre, /*t=*/0.);
-          }
-        catch (const InputError &)
-          {
-            if (piece.content >= 0)
-              throw;
-            return;
-          }
-        const double potential = -(b * (piece.centre - Point<dim>()));
-        places.push_back({potential, piece.volume});
-        if (piece.content >= 0)
-          {
-            volume += piece.volume;
-            energy += potential * piece.volume;
-          }
-      });
-      std::sort(places.begin(), places.end(), [](const auto &a, const auto &b) {
-        return a.potential < b.potential;
-      });
-      double left = volume;
-      for (const Place &place : places)
-        {
-          const double filled = std::min(left, place.volume);
-          energy -= filled * place.potential;
-          left -= filled;
-        }
-      return volume > 0. ? std::sqrt(2. * std::max(energy, 0.) / volume) : 0.;
-    }
-
     /// Processor time on this machine of the body force at a point of the
     /// quadrature in a step [s]: none of a constant one, otherwise that of its
     /// expressions, in three residuals and a tangent.
@@ -120,6 +73,7 @@ namespace seiche
         static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
       return in_a_step * seconds / static_cast<double>(places.size());
     }
+
     /// Points of a body over those of its volume: a box thinner than their
     /// spacing holds a layer even so (BodyPieces::Lattice). @p per_length: of
     /// the points [1/m].

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/utilities/checked_file.h>
-#include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/posix_file.h>
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,66 +16,10 @@
 
 namespace seiche
 {
+  using namespace posix_file;
+
   namespace
   {
-    [[noreturn]] void
-    fail(const std::string &filename,
-         const std::string &action,
-         const int          error,
-         const std::size_t  bytes)
-    {
-      const char *advice =
-        (error == ENOSPC || error == EDQUOT || error == EFBIG) ?
-          "free space there, or choose another folder with --output" :
-          "check the folder and its permissions, or choose another one with "
-          "--output";
-      const char *cause =
-        error != 0 ? std::strerror(error) : "the file is cut short";
-      throw FileError(
-        fmt::format("{}: cannot {} ({}){}; {}.",
-                    filename,
-                    action,
-                    cause,
-                    bytes > 0 ? fmt::format(" after {} bytes", bytes) : "",
-                    advice));
-    }
-
-    /// Bytes written of @p size: fewer on an error, which is left in errno.
-    std::size_t
-    write_all(const int descriptor, const char *data, const std::size_t size)
-    {
-      std::size_t done = 0;
-      while (done < size)
-        {
-          const ssize_t n = ::write(descriptor, data + done, size - done);
-          if (n < 0 && errno == EINTR)
-            continue;
-          if (n <= 0)
-            break;
-          done += n;
-        }
-      return done;
-    }
-
-    int
-    open_file(const std::string &filename, const int flags)
-    {
-      // opening a pipe would wait for who reads it
-      int descriptor;
-      do
-        descriptor =
-          ::open(filename.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0666);
-      while (descriptor < 0 && errno == EINTR);
-      return descriptor;
-    }
-
-    bool
-    synchronise(const int descriptor)
-    {
-      // some file systems cannot synchronise; that is no loss of data
-      return ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS;
-    }
-
     /// The new name survives a power cut only if the folder is on the disk.
     void
     rename_durably(const std::string &from, const std::string &to)
@@ -201,16 +142,6 @@ namespace seiche
         return ::close(file) == 0;
       }
     };
-
-    /// Size on the disk; -1 if the file cannot be asked.
-    long long
-    size_of(const int descriptor)
-    {
-      struct stat status = {};
-      return ::fstat(descriptor, &status) == 0 ?
-               static_cast<long long>(status.st_size) :
-               -1;
-    }
   } // namespace
 
 
@@ -332,124 +263,5 @@ namespace seiche
     if (length != static_cast<std::size_t>(-1) && text.size() < length)
       fail(filename, "read", 0, text.size());
     return text;
-  }
-
-
-
-  GrowingFile::~GrowingFile()
-  {
-    if (descriptor >= 0)
-      ::close(descriptor);
-  }
-
-
-
-  void
-  GrowingFile::open(const std::string &name)
-  {
-    if (is_open())
-      close();
-    filename   = name;
-    bytes      = 0;
-    descriptor = open_file(filename, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND);
-    if (descriptor < 0)
-      fail(filename, "open", errno, 0);
-  }
-
-
-
-  void
-  GrowingFile::continue_at(const std::string &name, const std::size_t length)
-  {
-    if (is_open())
-      close();
-    filename   = name;
-    bytes      = length;
-    descriptor = open_file(filename, O_WRONLY | O_APPEND);
-    if (descriptor < 0)
-      fail(filename, "open", errno, 0);
-    const long long size = size_of(descriptor);
-    if (size < static_cast<long long>(length))
-      fail(filename, "go on with", 0, std::max(0LL, size));
-    if (::ftruncate(descriptor, length) != 0)
-      fail(filename, "shorten", errno, length);
-  }
-
-
-
-  void
-  GrowingFile::synchronise()
-  {
-    if (is_open() && !seiche::synchronise(descriptor))
-      fail(filename, "synchronise", errno, bytes);
-  }
-
-
-
-  bool
-  GrowingFile::is_open() const
-  {
-    return descriptor >= 0;
-  }
-
-
-
-  void
-  GrowingFile::append(const std::string &text)
-  {
-    const std::size_t done = write_all(descriptor, text.data(), text.size());
-    bytes += done;
-    if (done < text.size())
-      fail(filename, "write", errno, bytes);
-  }
-
-
-
-  void
-  GrowingFile::close()
-  {
-    if (!is_open())
-      return;
-    const bool synchronised = seiche::synchronise(descriptor);
-    const int  error        = errno;
-    const bool complete = size_of(descriptor) == static_cast<long long>(bytes);
-    const bool closed   = ::close(descriptor) == 0;
-    descriptor          = -1;
-    if (!synchronised)
-      fail(filename, "synchronise", error, bytes);
-    if (!complete)
-      fail(filename, "write", 0, bytes);
-    if (!closed)
-      fail(filename, "close", errno, bytes);
-  }
-
-
-
-  DirectoryLock::~DirectoryLock()
-  {
-    if (descriptor >= 0)
-      ::close(descriptor);
-  }
-
-
-
-  void
-  DirectoryLock::acquire(const std::string &directory)
-  {
-    const std::string name = directory + "/.lock";
-    descriptor             = open_file(name, O_RDWR | O_CREAT);
-    if (descriptor < 0)
-      fail(name, "open", errno, 0);
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
-      return;
-    // file systems without locks: a run must still be possible there
-    if (errno != EWOULDBLOCK)
-      return;
-    ::close(descriptor);
-    descriptor = -1;
-    throw FileError(fmt::format(
-      "{}: another run is writing into this folder; wait until it has ended, "
-      "or choose another folder with --output.",
-      directory));
   }
 } // namespace seiche

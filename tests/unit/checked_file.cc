@@ -2,7 +2,9 @@
 // The write protocol: files are whole or absent, also on a full disk (which
 // a limit of the file size stands for).
 #include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/directory_lock.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/growing_file.h>
 
 #include <deal.II/base/mpi.h>
 

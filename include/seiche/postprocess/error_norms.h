@@ -2,62 +2,14 @@
 #ifndef seiche_postprocess_error_norms_h
 #define seiche_postprocess_error_norms_h
 
+#include <seiche/postprocess/error_parameters.h>
 #include <seiche/postprocess/postprocessor_context.h>
-#include <seiche/scene/expression.h>
-
-#include <deal.II/base/bounding_box.h>
 
 #include <memory>
-#include <string>
 #include <vector>
-
-namespace dealii
-{
-  class ParameterHandler;
-}
 
 namespace seiche
 {
-  class InputFile;
-
-  /// prm entries of "Error NAME".
-  template <int dim>
-  struct ErrorParameters
-  {
-    static constexpr const char *kind = "Error";
-
-    std::string name;
-    std::string quantity = "pressure";
-    std::string exact;
-    std::string sample = "Gauss points";
-    std::string norm   = "relative L2";
-    std::string region_lower, region_upper; // empty: the domain
-    bool        remove_mean = false;
-    double      scale       = 1.;
-
-    void
-    add_parameters(dealii::ParameterHandler &prm);
-    void
-    check(const InputFile &input, const GridParameters<dim> &grid) const;
-    std::vector<std::string>
-    columns() const;
-
-    unsigned int
-    n_components() const
-    {
-      return quantity == "pressure" ? 1 : dim;
-    }
-
-    /// The exact solution; InputError if it does not parse.
-    Expression<dim>
-    exact_solution(const InputFile           &input,
-                   const GridParameters<dim> &grid) const;
-
-    /// Box outside which nothing counts; InputError if it is none.
-    dealii::BoundingBox<dim>
-    region(const InputFile &input, const GridParameters<dim> &grid) const;
-  };
-
   /**
    * @brief Error of pressure or velocity against given functions.
    *

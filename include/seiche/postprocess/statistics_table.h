@@ -2,7 +2,7 @@
 #ifndef seiche_postprocess_statistics_table_h
 #define seiche_postprocess_statistics_table_h
 
-#include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/growing_file.h>
 #include <seiche/utilities/state_archive.h>
 
 #include <nlohmann/json.hpp>

@@ -5,6 +5,7 @@
 #include <seiche/grid/cell_materials.h>
 #include <seiche/grid/fill.h>
 #include <seiche/points/point_cloud.h>
+#include <seiche/quadrature/volume_ratio.h>
 #include <seiche/utilities/lanes.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -145,19 +146,6 @@ namespace seiche
     /// Fill @p quadrature for an own occupied cell, and pad it. Local.
     virtual void
     get(const unsigned int cell, CellQuadrature<dim> &quadrature) const = 0;
-  };
-
-  /// Volume ratio J_n of quadrature points. Material points have their own one
-  /// if it is not one.
-  enum class VolumeRatio
-  {
-    one,  ///< the fluid is incompressible: J is an error of the points' motion
-    mean, ///< V0-weighted mean of the cell's points
-    /// linear fit to the cell's points, for volumes that follow nodal means or
-    /// the pressure: of second order. With volumes that follow the points' own
-    /// gradients, whose linear part in a cell no equation controls, soft fluids
-    /// are unstable (doc/methods.md, "Stability").
-    linear
   };
 
   /// Makes fill.rule: cut cells (the inside of Fill::surface(), and its loose

@@ -2,7 +2,7 @@
 #ifndef seiche_scene_background_grid_h
 #define seiche_scene_background_grid_h
 
-#include <seiche/scene/grid_parameters.h>
+#include <seiche/scene/grid_segments.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -13,27 +13,6 @@
 
 namespace seiche
 {
-  /// Equal cells between two grid lines of one direction.
-  struct GridSegment
-  {
-    double       begin; // [m]
-    double       end;   // [m]
-    unsigned int first; // index of its first cell of level 0
-    unsigned int cells; // number of cells of level 0
-  };
-
-  /**
-   * The segments of one direction: between break points, split at the corners
-   * of obstacles. An obstacle's corner inside a segment becomes a grid line:
-   * where it coincides with one (to wall_slack()) nothing else changes,
-   * elsewhere the segment's cells are shared out between its two parts in
-   * proportion, at least one each.
-   */
-  template <int dim>
-  std::vector<GridSegment>
-  make_segments(const GridParameters<dim> &parameters,
-                const unsigned int         direction);
-
   /**
    * @brief The background grid: a forest of axis-parallel boxes.
    *

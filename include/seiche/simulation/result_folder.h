@@ -6,7 +6,7 @@
 #include <seiche/simulation/checkpoint_folder.h>
 #include <seiche/simulation/earlier_results.h>
 #include <seiche/simulation/run_report.h>
-#include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/directory_lock.h>
 
 #include <mpi.h>
 

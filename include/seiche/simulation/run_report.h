@@ -6,7 +6,7 @@
 #include <seiche/simulation/progress_line.h>
 #include <seiche/simulation/remaining_time.h>
 #include <seiche/simulation/test_log.h>
-#include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/growing_file.h>
 #include <seiche/utilities/state_archive.h>
 #include <seiche/utilities/timer_tree.h>
 

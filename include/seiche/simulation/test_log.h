@@ -2,7 +2,7 @@
 #ifndef seiche_simulation_test_log_h
 #define seiche_simulation_test_log_h
 
-#include <seiche/utilities/checked_file.h>
+#include <seiche/utilities/growing_file.h>
 
 #include <nlohmann/json.hpp>
 
