@@ -124,8 +124,9 @@ namespace seiche
         of_own[here.node] = here.wet;
     const std::vector<unsigned int> components = share_bits(of_own);
     occupancy.for_each_degree([&](const auto degree) {
-      for (const unsigned int cell : occupancy.cells.occupied())
-        this->template set_zeros_in<degree>(cell, components);
+      for (unsigned int cell = 0; cell < occupancy.locator.cells.size(); ++cell)
+        if (occupancy.cells.is_occupied(cell))
+          this->template set_zeros_in<degree>(cell, components);
     });
     occupancy.zero_components.share(
       occupancy.nodes.partitioner()->get_mpi_communicator());

@@ -20,7 +20,9 @@ namespace seiche
                            &reaction,
                            &start_reaction})
       vector->reinit(components);
-    unseen_series.reinit(0);
+    for (Vector *vector : {&velocity_series, &unseen_series})
+      vector->reinit(0);
+    drags.clear();
     for (Vector *vector : {&unseen_velocity, &unseen_mass})
       if (occupancy.zero_components.exist())
         vector->reinit(components);

@@ -122,13 +122,10 @@ namespace seiche
     v *= -way / (1. + way);
     for (unsigned int c = 0; c < dim; ++c)
       state.velocity_start.local_element(dim * node + c) += v[c];
-    const double   mass = row_mass.value(state, node);
+    const double   mass = row_mass.of_points(state, node);
     Tensor<1, dim> impulse;
     for (unsigned int c = 0; c < dim; ++c)
-      impulse[c] =
-        v[c] * (state.unseen_mass.size() > 0 ?
-                  mass - state.unseen_mass.local_element(dim * node + c) :
-                  mass);
+      impulse[c] = v[c] * (mass - state.unseen(node, c));
     for (auto contact = begin; contact != end; ++contact)
       if (holds(*contact))
         state.drags.push_back(

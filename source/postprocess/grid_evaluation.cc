@@ -145,21 +145,16 @@ namespace seiche
   Tensor<1, dim>
   GridEvaluation<dim>::vector_value(const Vector &field) const
   {
-    const unsigned int *node = nodes();
-    Tensor<1, dim>      sum;
-    for (unsigned int a = 0; a < shapes.size(); ++a)
+    Tensor<1, dim> result;
+    with_degree(occupancy.degree(cell), [&](const auto degree) {
+      double                          nodal[dim][Basis<dim, degree>::n_nodes];
+      PointBatch<dim, degree, double> point;
+      point.reinit_values(unit);
+      occupancy.template unknowns<degree>(cell).read(field.begin(), nodal);
       for (unsigned int d = 0; d < dim; ++d)
-        sum[d] += shapes[a] * field.local_element(dim * node[a] + d);
-    if (occupancy.zero_components.in(cell, occupancy.degree(cell)) != nullptr)
-      with_degree(occupancy.degree(cell), [&](const auto degree) {
-        double                          nodal[dim][Basis<dim, degree>::n_nodes];
-        PointBatch<dim, degree, double> point;
-        point.reinit_values(unit);
-        occupancy.template unknowns<degree>(cell).read(field.begin(), nodal);
-        for (unsigned int d = 0; d < dim; ++d)
-          sum[d] = point.value(nodal[d]);
-      });
-    return sum;
+        result[d] = point.value(nodal[d]);
+    });
+    return result;
   }
 
   template <int dim>

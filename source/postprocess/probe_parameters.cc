@@ -28,7 +28,7 @@ namespace seiche
       for (const Wall<dim> &wall : grid.walls)
         {
           const double distance = std::abs(wall.distance(x, /*t=*/0.));
-          if (wall.condition != WallCondition::periodic && distance < nearest)
+          if (wall.is_closed() && distance < nearest)
             {
               nearest = distance;
               normal  = wall.normal(x, /*t=*/0.);

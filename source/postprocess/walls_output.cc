@@ -41,13 +41,6 @@ namespace seiche
           }
       walls.patches.push_back(patch);
     }
-
-    bool
-    has_wall(const WallCondition condition)
-    {
-      return condition != WallCondition::open &&
-             condition != WallCondition::periodic;
-    }
   } // namespace
 
   template <int dim>
@@ -73,11 +66,8 @@ namespace seiche
     if (is_first_rank)
       for (const unsigned int face : GeometryInfo<dim>::face_indices())
         {
-          add_face(walls,
-                   view.box,
-                   face,
-                   0,
-                   has_wall(parameters.walls[face].condition));
+          add_face(
+            walls, view.box, face, 0, parameters.walls[face].is_closed());
           for (unsigned int i = 0; i < parameters.obstacles().size(); ++i)
             add_face(walls,
                      parameters.obstacles()[i].box(),

@@ -190,7 +190,11 @@ namespace seiche
   void
   GridParameters<dim>::check_size(const InputFile &input) const
   {
-    const char *entry = cells[0].empty() ? "Grid/Cell size" : "Grid/Cells x";
+    const auto entry = [this](const unsigned int direction) {
+      return cells[direction].empty() ?
+               "Grid/Cell size" :
+               "Grid/" + per_direction("Cells", direction);
+    };
     const unsigned int level  = refinement.finest_level();
     double             n_rows = dim;
     for (unsigned int d = 0; d < dim; ++d)
@@ -204,7 +208,7 @@ namespace seiche
         n_rows *= n_cells + 1.;
         const double n_finest = std::ldexp(n_cells, level);
         input.require(n_finest < largest_line<dim>,
-                      entry,
+                      entry(d),
                       fmt::format("makes {:.3g} cells of the finest level ({}) "
                                   "in direction {}; at most {:.3g} are "
                                   "possible. Choose larger cells or smaller "
@@ -216,7 +220,7 @@ namespace seiche
       }
     check_thin_cells(input);
     input.require(n_rows <= std::numeric_limits<int>::max(),
-                  entry,
+                  entry(0),
                   fmt::format("makes {:.3g} rows in the velocity block; at "
                               "most 2^31 - 1 are possible. Choose larger "
                               "cells.",

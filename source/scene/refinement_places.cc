@@ -39,7 +39,7 @@ namespace seiche
     std::vector<std::string>              known;
     std::vector<dealii::BoundingBox<dim>> boxes;
     for (const Wall<dim> &wall : grid.walls)
-      if (wall.condition != WallCondition::periodic)
+      if (wall.exists())
         {
           known.push_back(wall.name);
           boxes.push_back(wall.box());

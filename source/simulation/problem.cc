@@ -140,7 +140,7 @@ namespace seiche
     materials.update(points);
     occupancy.set_linear(fill.linear_cells());
     matrix.reinit(fill);
-    row_mass.reinit();
+    row_mass.reinit(points);
     if (!time_scheme->needs_acceleration())
       {
         convex_edges.reinit();
@@ -155,6 +155,12 @@ namespace seiche
     const TimerTree::Scope scope(timer, "points to grid");
     state.reinit(occupancy, formulation.has_pressure(), carries_acceleration());
     transfer.points_to_grid(points, state);
+    if (!time_scheme->needs_acceleration())
+      return;
+    // the acceleration of the grid at walls is theirs
+    occupancy.constraints.for_each_fixed(
+      [&](const auto &direction) { direction.set(state.acceleration_n, 0.); });
+    state.acceleration_n.update_ghost_values();
   }
 
   template <int dim>

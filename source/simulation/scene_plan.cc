@@ -39,11 +39,11 @@ namespace seiche
     double
     free_space(const std::string &directory)
     {
-      auto path = std::filesystem::absolute(directory);
-      while (!std::filesystem::exists(path) && path.has_relative_path())
-        path = path.parent_path();
+      auto            path = std::filesystem::absolute(directory);
       std::error_code error;
-      const auto      space = std::filesystem::space(path, error);
+      while (!std::filesystem::exists(path, error) && path.has_relative_path())
+        path = path.parent_path();
+      const auto space = std::filesystem::space(path, error);
       return error ? std::numeric_limits<double>::infinity() :
                      static_cast<double>(space.available);
     }

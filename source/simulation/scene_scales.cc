@@ -39,10 +39,7 @@ namespace seiche
     has_walls(const GridParameters<dim> &grid, const unsigned int direction)
     {
       const auto is_wall = [&](const bool upper) {
-        const WallCondition condition =
-          grid.walls[BoxFace(direction, upper)].condition;
-        return condition != WallCondition::open &&
-               condition != WallCondition::periodic;
+        return grid.walls[BoxFace(direction, upper)].is_closed();
       };
       return is_wall(false) && is_wall(true);
     }

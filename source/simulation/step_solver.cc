@@ -3,7 +3,6 @@
 #include <seiche/simulation/step_failure.h>
 #include <seiche/simulation/step_solver.h>
 #include <seiche/solve/displacement_error.h>
-#include <seiche/transfer/unseen_momentum.h>
 #include <seiche/utilities/exceptions.h>
 
 #include <fmt/format.h>
@@ -160,14 +159,7 @@ namespace seiche
       state.start_reaction = state.reaction;
     else
       state.start_reaction = 0.;
-    if (state.unseen_mass.size() > 0)
-      add_unseen_impulse(state);
-    // walls give their velocity first, then the projection pushes
-    problem.occupancy.constraints.for_each_fixed([&](const auto &direction) {
-      direction.set(state.start_reaction,
-                    direction.of(state.start_reaction) +
-                      wall_impulse(state, problem.row_mass, direction));
-    });
+    add_wall_impulses(problem.row_mass, problem.occupancy, state);
   }
 
   template <int dim>
@@ -176,12 +168,6 @@ namespace seiche
   {
     const TimeScheme<dim> &scheme = *problem.time_scheme;
     const StepCoefficients step   = scheme.coefficients(state.dt);
-    if (state.acceleration_n.size() > 0)
-      {
-        problem.occupancy.constraints.for_each_fixed(
-          [&](const auto &wall) { wall.set(state.acceleration_n, 0.); });
-        state.acceleration_n.update_ghost_values();
-      }
     scheme.predict(state);
     if (const auto *closed = problem.assembler.closed_chambers())
       {
@@ -219,6 +205,7 @@ namespace seiche
     const TimeScheme<dim> &scheme = *problem.time_scheme;
     const double           lag    = scheme.pressure_time();
     return displacement_error(state,
+                              problem.occupancy.constraints,
                               scheme.error_constant(),
                               lag * state.dt + (1. - lag) * previous_step) /
            problem.occupancy.smallest_extent();

@@ -65,7 +65,7 @@ namespace seiche
       "is taken, with the iterate of the least residual; a "
       "point goes only the part of its way on which it keeps "
       "a fifth of its volume, moves no farther than Maximum "
-      "displacement and passes no wall, and its volume ratio is "
+      "displacement and passes no wall (unilateral ones set it back), and its volume ratio is "
       "kept within 0.25 of one then; summary.json counts such "
       "steps and points. A "
       "residual that is not finite repeats the step even so",

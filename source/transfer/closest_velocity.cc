@@ -34,12 +34,12 @@ namespace seiche
     GridState<dim> lumped; // of linear cells
     lumped.reinit(occupancy, false, state.acceleration_n.size() > 0);
     if (lumps)
-      sum_points(points,
-                 occupancy,
-                 method.gradient,
-                 /*is_consistent=*/true,
-                 /*linear_cells_only=*/true,
-                 lumped);
+      sum_to_nodes(points,
+                   occupancy,
+                   method.gradient,
+                   /*is_consistent=*/true,
+                   /*linear_cells_only=*/true,
+                   lumped);
     const Field           masses = masses_of_components(occupancy, lumped);
     const MassMatrix<dim> mass(points,
                                fill,
@@ -51,6 +51,11 @@ namespace seiche
             MassMatrix<dim>::field(lumped.velocity_n, lumped.unseen_velocity),
           velocity =
             MassMatrix<dim>::field(state.velocity_n, state.unseen_velocity);
+    // the means mix the hats with the shape functions where points are unseen
+    for (unsigned int i = 0; i < state.unseen_mass.locally_owned_size(); ++i)
+      if (state.unseen_mass.local_element(i) != 0.)
+        velocity.block(0).local_element(i) =
+          velocity.block(1).local_element(i) = 0.;
     mass.add_right_hand_side(PointColumn::velocity, sum);
     mass.solve(velocity, sum);
     state.velocity_n = velocity.block(0);

@@ -53,7 +53,7 @@ namespace seiche
                                        Field            &dst) const
   {
     dst.zero_out_ghost_values();
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
+    occupancy.for_each_degree([&](const auto degree) {
       this->template sum_points<degree>(column, dst);
     });
     dst.compress(VectorOperation::add);
@@ -68,7 +68,7 @@ namespace seiche
     const double                   *mass = points.data(PointColumn::mass);
     for (const unsigned int cell : occupancy.cells.occupied())
       {
-        if (is_lumped(cell))
+        if (occupancy.degree(cell) != degree || is_lumped(cell))
           continue;
         const auto &geometry = points.locator.cells.geometry(cell);
         double      sum[dim][point.n_nodes] = {};
@@ -98,6 +98,8 @@ namespace seiche
     const bool             with_unseen = src.n_blocks() == 2;
     for (const EdgeCell &edge_cell : edge_cells)
       {
+        if (occupancy.degree(edge_cell.cell) != degree)
+          continue;
         const auto nodes = occupancy.template unknowns<degree>(edge_cell.cell);
         double     values[dim][n], product[dim][n] = {};
         if (with_unseen)
@@ -135,7 +137,7 @@ namespace seiche
             }
       }
     if (!edge_cells.empty())
-      with_degree(occupancy.fe.degree, [&](const auto degree) {
+      occupancy.for_each_degree([&](const auto degree) {
         this->template add_edge_cells<degree>(dst, src);
       });
     dst.compress(VectorOperation::add);

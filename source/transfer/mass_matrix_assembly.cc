@@ -33,12 +33,14 @@ namespace seiche
     for (unsigned int k = 0; k < inverse_diagonal.n_blocks(); ++k)
       inverse_diagonal.block(k).reinit(occupancy.nodes.vector_partitioner());
     inverse_diagonal.collect_sizes();
-    with_degree(occupancy.fe.degree, [&](const auto degree) {
+    occupancy.for_each_degree([&](const auto degree) {
       this->template collect_cells<degree>();
-      if (ghost_penalty)
-        this->template collect_faces<degree>(materials);
       this->template add_diagonals_of_edge_cells<degree>(inverse_diagonal);
     });
+    if (ghost_penalty)
+      with_degree(occupancy.fe.degree, [&](const auto degree) {
+        this->template collect_faces<degree>(materials);
+      });
     invert_diagonal();
   }
 
@@ -74,7 +76,7 @@ namespace seiche
     const double                   *mass    = points.data(PointColumn::mass);
     for (const unsigned int cell : occupancy.cells.occupied())
       {
-        if (is_lumped(cell))
+        if (occupancy.degree(cell) != degree || is_lumped(cell))
           continue;
         const auto &geometry = points.locator.cells.geometry(cell);
         double      matrix[n_nodes][n_nodes] = {};
@@ -90,11 +92,15 @@ namespace seiche
           unknowns.condense_matrix(matrix);
         const std::vector<double> values(&matrix[0][0],
                                          &matrix[0][0] + n_nodes * n_nodes);
-        const unsigned int       *nodes = occupancy.nodes.of_cell(cell);
-        if (unknowns.zeros == nullptr)
-          blocks.push_back({{nodes, nodes + n_nodes}, values});
-        else
-          edge_cells.push_back({cell, values});
+        if (unknowns.zeros != nullptr)
+          {
+            edge_cells.push_back({cell, values});
+            continue;
+          }
+        std::vector<unsigned int> nodes(n_nodes);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          nodes[a] = unknowns[a];
+        blocks.push_back({nodes, values});
       }
   }
 
@@ -139,6 +145,8 @@ namespace seiche
     constexpr unsigned int n = Basis<dim, degree>::n_nodes;
     for (const EdgeCell &edge_cell : edge_cells)
       {
+        if (occupancy.degree(edge_cell.cell) != degree)
+          continue;
         const auto nodes = occupancy.template unknowns<degree>(edge_cell.cell);
         for (unsigned int k = 0; k < diagonal.n_blocks(); ++k)
           for (unsigned int c = 0; c < dim; ++c)

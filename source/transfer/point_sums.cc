@@ -179,12 +179,12 @@ namespace seiche
 
   template <int dim>
   void
-  sum_points(const PointCloud<dim> &points,
-             const Occupancy<dim>  &occupancy,
-             const GradientUse      gradient,
-             const bool             is_consistent,
-             const bool             linear_cells_only,
-             GridState<dim>        &state)
+  sum_to_nodes(const PointCloud<dim> &points,
+               const Occupancy<dim>  &occupancy,
+               const GradientUse      gradient,
+               const bool             is_consistent,
+               const bool             linear_cells_only,
+               GridState<dim>        &state)
   {
     const bool with_acceleration =
       state.acceleration_n.size() > 0 && points.has(PointColumn::acceleration);
@@ -194,6 +194,12 @@ namespace seiche
                                   &state.velocity_n};
     if (state.acceleration_n.size() > 0)
       sums.push_back(&state.acceleration_n);
+    if (occupancy.zero_components.exist())
+      for (Vector *vector : {&state.unseen_mass, &state.unseen_velocity})
+        {
+          *vector = 0.;
+          vector->zero_out_ghost_values();
+        }
     for (Vector *vector : sums)
       {
         *vector = 0.; // own entries
@@ -212,13 +218,13 @@ namespace seiche
         points, occupancy, gradient, is_consistent, linear_cells_only, state);
   }
 
-#define INSTANTIATE(dim)                            \
-  template void sum_points(const PointCloud<dim> &, \
-                           const Occupancy<dim> &,  \
-                           const GradientUse,       \
-                           const bool,              \
-                           const bool,              \
-                           GridState<dim> &);
+#define INSTANTIATE(dim)                              \
+  template void sum_to_nodes(const PointCloud<dim> &, \
+                             const Occupancy<dim> &,  \
+                             const GradientUse,       \
+                             const bool,              \
+                             const bool,              \
+                             GridState<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

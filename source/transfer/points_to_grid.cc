@@ -15,10 +15,9 @@ namespace seiche
                    const bool            with_acceleration,
                    GridState<dim>       &state)
     {
-      double          *pressure     = state.pressure_guess.begin();
-      double          *velocity     = state.velocity_n.begin();
-      double          *acceleration = state.acceleration_n.begin();
-      constexpr double nothing      = 1e-12; // of the mass: round-off
+      double *pressure     = state.pressure_guess.begin();
+      double *velocity     = state.velocity_n.begin();
+      double *acceleration = state.acceleration_n.begin();
       for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
         {
           const double mass = state.mass.local_element(node);
@@ -26,7 +25,7 @@ namespace seiche
           for (unsigned int c = 0; c < dim; ++c)
             {
               const double seen    = state.seen_mass(node, c);
-              const double inverse = seen > nothing * mass ? 1. / seen : 0.;
+              const double inverse = seen > 0. ? 1. / seen : 0.;
               velocity[dim * node + c] *= inverse;
               if (with_acceleration)
                 acceleration[dim * node + c] *= inverse;
@@ -43,12 +42,12 @@ namespace seiche
     const bool with_acceleration =
       state.acceleration_n.size() > 0 && points.has(PointColumn::acceleration);
     const bool is_consistent = parameters.is_consistent(occupancy.fe.degree);
-    sum_points(points,
-               occupancy,
-               method.gradient,
-               is_consistent,
-               /*linear_cells_only=*/false,
-               state);
+    sum_to_nodes(points,
+                 occupancy,
+                 method.gradient,
+                 is_consistent,
+                 /*linear_cells_only=*/false,
+                 state);
     if (occupancy.zero_components.exist())
       find_unseen_velocity(state);
     divide_by_mass(occupancy, with_acceleration, state);

@@ -102,16 +102,6 @@ namespace seiche
     state.unseen_velocity.update_ghost_values();
   }
 
-  template <int dim>
-  void
-  add_unseen_impulse(GridState<dim> &state)
-  {
-    for (unsigned int i = 0; i < state.unseen_mass.locally_owned_size(); ++i)
-      state.start_reaction.local_element(i) -=
-        state.unseen_mass.local_element(i) *
-        state.unseen_velocity.local_element(i) / state.dt;
-  }
-
 #define INSTANTIATE(dim)                                 \
   template void take_out_unseen(const PointCloud<dim> &, \
                                 const Occupancy<dim> &,  \
@@ -119,8 +109,7 @@ namespace seiche
                                 const bool,              \
                                 const bool,              \
                                 GridState<dim> &);       \
-  template void find_unseen_velocity(GridState<dim> &);  \
-  template void add_unseen_impulse(GridState<dim> &);
+  template void find_unseen_velocity(GridState<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

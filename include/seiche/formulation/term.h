@@ -116,6 +116,22 @@ namespace seiche
                 TangentSums<dim, degree> &,
                 CellData<dim, degree> &) const
     {}
+    template <int dim, int degree>
+    void
+    add_cell_residual(CellData<dim, degree> &) const
+    {}
+    template <int dim, int degree>
+    void
+    add_cell_tangent(CellData<dim, degree> &) const
+    {}
+    bool
+    acts_on_faces() const
+    {
+      return false;
+    }
+    void
+    add_ghost(const GhostFaceData &, GhostCoefficients &) const
+    {}
   };
 } // namespace seiche
 

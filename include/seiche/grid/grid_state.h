@@ -33,14 +33,23 @@ namespace seiche
       return solution.n_blocks() == 2;
     }
 
-    /// Mass of the points that count for a component of velocity_n [kg].
+    /// Mass of the points that do not count for a component of velocity_n [kg].
+    double
+    unseen(const unsigned int node, const unsigned int component) const
+    {
+      return unseen_mass.size() > 0 ?
+               unseen_mass.local_element(dim * node + component) :
+               0.;
+    }
+
+    /// Mass of those that do [kg], zero where it is round-off.
     double
     seen_mass(const unsigned int node, const unsigned int component) const
     {
-      return mass.local_element(node) -
-             (unseen_mass.size() > 0 ?
-                unseen_mass.local_element(dim * node + component) :
-                0.);
+      constexpr double nothing = 1e-12; // of the mass
+      const double     all     = mass.local_element(node);
+      const double     seen    = all - unseen(node, component);
+      return seen > nothing * all ? seen : 0.;
     }
 
     double time = 0.; ///< [s] t_n, start of the step

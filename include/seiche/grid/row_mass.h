@@ -10,12 +10,9 @@
 namespace seiche
 {
   /**
-   * @brief Mass of a node's row in the weak forms, at walls: the integral of rho
-   * times its shape function, where GridState::mass has that of the hat between
-   * nodes. Both are the same for degree 1.
-   *
-   * The momentum that walls take from fluid which they stop is this mass times
-   * the change of the node's velocity: m^ in doc/theory.md (8.0b).
+   * @brief Masses of the nodes at walls by their shape functions, where
+   * GridState::mass has that of the hats between nodes. All are the same for
+   * degree 1.
    */
   template <int dim>
   class RowMass
@@ -27,9 +24,10 @@ namespace seiche
 
     /// After a change of the occupied cells. Collective.
     void
-    reinit();
+    reinit(const PointCloud<dim> &points);
 
-    /// Of an own node at a wall [kg].
+    /// Of an own node's row in the weak forms, the integral of rho N [kg]:
+    /// positive.
     double
     value(const GridState<dim> &state, const unsigned int node) const
     {
@@ -37,10 +35,30 @@ namespace seiche
              (factor.empty() ? 1. : factor[node]);
     }
 
+    /// sum_p m_p N [kg] of an own node: the momentum that a wall takes from the
+    /// points where it changes the node's velocity by one, m^ in doc/theory.md
+    /// (8.0b).
+    double
+    of_points(const GridState<dim> &state, const unsigned int node) const
+    {
+      return masses.empty() ? state.mass.local_element(node) : masses[node];
+    }
+
+    /// The same of the points that count for a component of velocity_n.
+    double
+    seen(const GridState<dim> &state, const WallDirection<dim> &direction) const
+    {
+      const unsigned int node = direction.node;
+      return of_points(state, node) -
+             (direction.component < dim ?
+                state.unseen(node, direction.component) :
+                0.);
+    }
+
   private:
     const Occupancy<dim> &occupancy;
     const bool            is_needed;
-    std::vector<double>   factor; ///< by own node; degree 1: empty
+    std::vector<double>   factor, masses; ///< by own node; degree 1: empty
   };
 } // namespace seiche
 

@@ -34,7 +34,7 @@ namespace seiche
   class ViscosityLaw
   {
   public:
-    /// @p constant: mu is the same at all shear rates.
+    /// @p constant: mu is scale at all shear rates; at() is not always asked.
     explicit ViscosityLaw(const bool constant)
       : is_constant(constant)
     {}

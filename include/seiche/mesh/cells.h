@@ -123,9 +123,7 @@ namespace seiche
     closed_wall_at(const unsigned int cell, const unsigned int face) const
     {
       const Wall<dim> *const wall = wall_at(cell, face);
-      return wall != nullptr && wall->condition != WallCondition::open ?
-               wall :
-               nullptr;
+      return wall != nullptr && wall->is_closed() ? wall : nullptr;
     }
 
     /// Send one value per own cell to the ranks that see it as ghost:

@@ -13,7 +13,7 @@ namespace seiche
   {
     std::uint64_t points = 0;  ///< through open sides
     double        mass   = 0.; ///< of these [kg]
-    /// Times that a point was set on the wall of an obstacle.
+    /// Times that a point was set on a wall that it had crossed.
     std::uint64_t set_on_walls = 0;
 
     /// For a checkpoint. Local.

@@ -155,7 +155,7 @@ namespace seiche
       std::size_t n_before       = 0; ///< points before the search
       std::size_t n_outflow      = 0; ///< left through open sides
       double      outflow_mass   = 0.;
-      std::size_t n_set_on_walls = 0; ///< of obstacles
+      std::size_t n_set_on_walls = 0; ///< see set_on_wall()
       std::size_t n_lost         = 0;
       std::string lost_report;   ///< of the first lost point
       bool        moved = false; ///< a point is new or changed its cell
@@ -164,8 +164,8 @@ namespace seiche
     /// Update point_cells; invalid marks points that leave this rank.
     Found
     find_cells(std::vector<std::size_t> &emigrants);
-    /// A point less than half a cell within an obstacle along which the fluid
-    /// slips, or behind a unilateral side: set it on the nearest place of its
+    /// A point within an obstacle along which the fluid slips, or behind a
+    /// unilateral side: set it on the nearest place of its
     /// last cell or of those around. At dry convex edges nodes move across a
     /// face, so that the field between them and the next nodes may cut the
     /// edge; what meets a unilateral wall within a step has the wall's velocity

@@ -16,9 +16,9 @@ namespace seiche
    * Pressure: in the configuration x_n + pressure_theta u at
    * `pressure_time`. Velocity: at x_n + u at the end of the step. Samples and
    * their weights:
-   * nodes of occupied cells, weight mass; 2^dim Gauss points of each occupied
-   * cell, weight measure of the cell over their number; material points,
-   * equal weights. Norms: rms sqrt(sum w e^2 / sum w) and maximum over
+   * nodes of occupied cells, weight mass; (degree + 1)^dim Gauss points of each
+   * occupied cell, weight measure of the cell over their number; material
+   * points, equal weights. Norms: rms sqrt(sum w e^2 / sum w) and maximum over
    * "Scale"; relative L2 sqrt(sum w e^2 / sum w exact^2).
    * Missing for the pressure before the first step, and where nothing lies in
    * the region or the exact solution is zero.

@@ -30,8 +30,7 @@ namespace seiche
                   const std::string         &name)
   {
     for (const Wall<dim> &wall : grid.walls)
-      input.require(wall.name != name ||
-                      wall.condition != WallCondition::periodic,
+      input.require(wall.name != name || wall.exists(),
                     path,
                     "the side \"" + name + "\" is periodic: there is no wall.");
   }

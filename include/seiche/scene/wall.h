@@ -58,6 +58,20 @@ namespace seiche
           const dealii::BoundingBox<dim> &domain,
           const double                    end_time) const;
 
+    /// False for a periodic side, which is the same place as its opposite.
+    bool
+    exists() const
+    {
+      return condition != WallCondition::periodic;
+    }
+
+    /// False where the fluid passes: open and periodic sides.
+    bool
+    is_closed() const
+    {
+      return exists() && condition != WallCondition::open;
+    }
+
     /// Signed distance at time @p t [m]: positive in the fluid.
     double
     distance(const dealii::Point<dim> &x, const double t) const;

@@ -17,9 +17,10 @@ namespace seiche
    */
   template <int dim>
   double
-  displacement_error(const GridState<dim> &state,
-                     const double          error_constant,
-                     const double          interval);
+  displacement_error(const GridState<dim>       &state,
+                     const NodeConstraints<dim> &constraints,
+                     const double                error_constant,
+                     const double                interval);
 } // namespace seiche
 
 #endif

@@ -29,10 +29,10 @@ namespace seiche
    *
    * A point goes the largest share 1, 1/2, 1/4, ... of its way on which its
    * volume, also half-way, keeps the share @p least_det_F of what it was, on
-   * which it moves no farther than a limit and not through a wall; none of it
-   * where 1/64 would still be too much. The volume ratio of such a point stays
-   * within largest_volume_error of one; its velocity is the grid's all the
-   * same.
+   * which it moves no farther than a limit and not through a wall of WallFaces;
+   * none of it where 1/64 would still be too much. The volume ratio of such a
+   * point stays within largest_volume_error of one; its velocity is the grid's
+   * all the same.
    */
   template <int dim>
   class HeldPoints

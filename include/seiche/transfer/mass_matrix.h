@@ -10,7 +10,7 @@ namespace seiche
 {
   /**
    * @brief The mass matrix of the points, M_ab = sum_p m_p N_a(x_p) N_b(x_p)
-   * (doc/theory.md (7.2)).
+   * (doc/theory.md (7.2), (7.2a)).
    *
    * Nodal velocities v with M v = sum_p m_p N v_p are the field closest to the
    * points' velocities: exact where these belong to the space of the elements,
@@ -22,9 +22,9 @@ namespace seiche
   class MassMatrix
   {
   public:
-    /// A vector field: block 0 are the values of the nodes, block 1 those in
-    /// the cells where a component is zero (doc/theory.md (8.0c)), which points
-    /// bring there; without a block 1 it is zero.
+    /// A vector field: block 0 are the values v of the nodes, block 1 the w of
+    /// doc/theory.md (7.2a), which points bring to the cells where a component
+    /// is zero; without a block 1 w is zero.
     using Vector = typename GridState<dim>::Vector;
     using Field  = typename GridState<dim>::BlockVector;
 

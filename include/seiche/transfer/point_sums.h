@@ -17,12 +17,12 @@ namespace seiche
    */
   template <int dim>
   void
-  sum_points(const PointCloud<dim> &points,
-             const Occupancy<dim>  &occupancy,
-             const GradientUse      gradient,
-             const bool             is_consistent,
-             const bool             linear_cells_only,
-             GridState<dim>        &state);
+  sum_to_nodes(const PointCloud<dim> &points,
+               const Occupancy<dim>  &occupancy,
+               const GradientUse      gradient,
+               const bool             is_consistent,
+               const bool             linear_cells_only,
+               GridState<dim>        &state);
 } // namespace seiche
 
 #endif

@@ -96,8 +96,9 @@ namespace seiche
       std::numeric_limits<double>::max(); ///< of the whole and half increment,
                                           ///< at the points
     double max_displacement = 0.;         ///< in cells of the point's cell
-    double beyond_wall      = 0.; ///< way of a point through a wall [cells]
-    bool   finite           = true;
+    double beyond_wall      = 0.;         ///< way of a point through a wall of
+                                          ///< WallFaces [cells]
+    bool finite = true;
 
     /// Collective.
     StepCheck
@@ -129,8 +130,9 @@ namespace seiche
     columns(const TransferParameters &parameters);
 
     /// Fills mass, velocity_n, acceleration_n (if present), pressure_guess of
-    /// the state. Nodes without mass get zero. Walls do not count, so that
-    /// increments carry what they do to the fluid to the points. Collective.
+    /// the state, what is unseen beside them, and the series of XPIC. Nodes
+    /// without mass get zero. Walls do not count, so that increments carry what
+    /// they do to the fluid to the points. Collective.
     void
     points_to_grid(const PointCloud<dim> &points, GridState<dim> &state) const;
 

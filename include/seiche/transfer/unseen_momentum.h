@@ -30,12 +30,6 @@ namespace seiche
   template <int dim>
   void
   find_unseen_velocity(GridState<dim> &state);
-
-  /// Impulse over dt [N] of the walls on these points, which lose this velocity
-  /// (8.0b), added to state.start_reaction. Own nodes.
-  template <int dim>
-  void
-  add_unseen_impulse(GridState<dim> &state);
 } // namespace seiche
 
 #endif
