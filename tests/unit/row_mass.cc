@@ -40,7 +40,7 @@ namespace
     problem.find_cells();
     occupancy.set_linear(problem.fill.linear_cells());
     RowMass<dim> row_mass(occupancy, /*is_needed=*/true);
-    row_mass.reinit();
+    row_mass.reinit(problem.points);
 
     GridState<dim> state;
     state.mass.reinit(occupancy.nodes.partitioner());
