@@ -51,11 +51,18 @@ namespace seiche
             MassMatrix<dim>::field(lumped.velocity_n, lumped.unseen_velocity),
           velocity =
             MassMatrix<dim>::field(state.velocity_n, state.unseen_velocity);
-    // the means mix the hats with the shape functions where points are unseen
-    for (unsigned int i = 0; i < state.unseen_mass.locally_owned_size(); ++i)
-      if (state.unseen_mass.local_element(i) != 0.)
-        velocity.block(0).local_element(i) =
-          velocity.block(1).local_element(i) = 0.;
+    // means of all points: those of the seen and the unseen ones mix the hats
+    // with the shape functions
+    if (velocity.n_blocks() == 2)
+      for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
+        for (unsigned int c = 0; c < dim; ++c)
+          if (const double unseen = state.unseen(node, c); unseen != 0.)
+            {
+              double &v = velocity.block(0).local_element(dim * node + c),
+                     &w = velocity.block(1).local_element(dim * node + c);
+              v = w = (state.seen_mass(node, c) * v + unseen * w) /
+                      state.mass.local_element(node);
+            }
     mass.add_right_hand_side(PointColumn::velocity, sum);
     mass.solve(velocity, sum);
     state.velocity_n = velocity.block(0);
