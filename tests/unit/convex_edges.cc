@@ -4,15 +4,14 @@
 // the unknowns admit crosses a face of the block, or loses its normal component
 // between two cells; that uniform motion of the points arrives at the nodes
 // with all its momentum, and that they leave it there if the nodes stop, also
-// with elements of degree 2; that no transfer loses momentum; that friction
+// with elements of degree 2; that friction
 // brakes edges; that water at rest stays at rest and its weight arrives at the
 // walls; that the tangent is the derivative of the residual, also where cells
 // of two sizes meet at an edge, and where nodes are held in oblique directions
 // (8.0d).
 #include <seiche/grid/convex_edges.h>
-#include <seiche/space/point_batch.h>
 
-#include "problem_from_text.h"
+#include "block_in_tank.h"
 
 namespace
 {
@@ -22,68 +21,6 @@ namespace
   const MPI_Comm   communicator = MPI_COMM_WORLD;
   constexpr double gravity = 10., density = 1000.;
 
-  /// Edges of the cells [m].
-  template <int dim>
-  Tensor<1, dim>
-  edges()
-  {
-    Tensor<1, dim> result;
-    for (unsigned int d = 0; d < dim; ++d)
-      result[d] = 0.1 * (d + 1);
-    return result;
-  }
-
-  template <int dim>
-  std::string
-  at(const double cells, const double height)
-  {
-    std::string text;
-    for (unsigned int d = 0; d < dim; ++d)
-      text += (d ? ", " : "") +
-              std::to_string((d == dim - 1 ? height : cells) * edges<dim>()[d]);
-    return text;
-  }
-
-  template <int dim>
-  std::string
-  at(const double cells)
-  {
-    return at<dim>(cells, cells);
-  }
-
-  /// A block of 2 cells in the middle of a full tank of 6, open at the top;
-  /// @p refined: cells of half the size from the middle to the right; @p level of
-  /// the water [cells].
-  template <int dim>
-  std::string
-  scene(const bool refined, const std::string &more, const double level)
-  {
-    const std::string cells[] = {"\n set Cells x = 6",
-                                 "\n set Cells y = 6",
-                                 "\n set Cells z = 6"};
-    std::string       text =
-      "subsection Walls\n set Top = open\nend\nsubsection Grid";
-    for (unsigned int d = 0; d < dim; ++d)
-      text += cells[d];
-    text +=
-      "\n set Lower corner = " + at<dim>(0.) +
-      "\n set Upper corner = " + at<dim>(6.) + "\nend\n" + more +
-      "subsection Obstacle block\n set Condition = slip\n set Friction = 0.01"
-      "\n set Lower corner = " +
-      at<dim>(2.) + "\n set Upper corner = " + at<dim>(4.) +
-      "\nend\nsubsection Body force\n set Acceleration = " +
-      (dim == 2 ? "0; -10" : "0; 0; -10") +
-      "\nend\nsubsection Fluid body a\n set Lower corner = " + at<dim>(0.) +
-      "\n set Upper corner = " + at<dim>(6., level) + "\nend\n";
-    if (refined)
-      text += "subsection Refinement fluid\n set Criterion = fluid\n"
-              "set Level = 0\nend\n"
-              "subsection Refinement right\n set Criterion = box\n"
-              "set Level = 1\n set Lower corner = " +
-              at<dim>(3.) + "\n set Upper corner = " + at<dim>(6.) + "\nend\n";
-    return text;
-  }
-
   template <int dim>
   class Test : public ProblemFromText<dim>
   {
@@ -91,10 +28,8 @@ namespace
     using Vector      = typename GridState<dim>::Vector;
     using BlockVector = typename GridState<dim>::BlockVector;
 
-    explicit Test(const bool         refined,
-                  const std::string &more  = "",
-                  const double       level = 6.)
-      : ProblemFromText<dim>(scene<dim>(refined, more, level))
+    explicit Test(const bool refined, const std::string &more = "")
+      : ProblemFromText<dim>(block_in_tank<dim>(refined, more))
     {
       this->find_cells();
       this->find_unknowns();
@@ -199,37 +134,6 @@ namespace
             verdict(dealii::Utilities::MPI::max(speed, communicator) < 1e-12));
     }
 
-    /// What the points of a flow that turns lose is what nodes and faces take.
-    bool
-    keeps_momentum()
-    {
-      double *v[dim];
-      for (unsigned int d = 0; d < dim; ++d)
-        v[d] = this->points.data(PointColumn::velocity, d);
-      for (std::size_t p = 0; p < this->points.size(); ++p)
-        for (unsigned int d = 0; d < dim; ++d)
-          v[d][p] = 1. + std::sin(3. * this->points.position(p)[d] + d);
-      Tensor<1, dim> change = -this->momentum();
-      this->points_to_grid(state);
-      state.dt             = 0.01;
-      state.velocity_start = state.velocity_n;
-      state.velocity_start *= 0.9;
-      this->occupancy.constraints.for_each_fixed(
-        [&](const auto &held) { held.set(state.velocity_start, 0.); });
-      state.velocity_start.update_ghost_values();
-      state.velocity_np1 = state.velocity_start;
-      if (state.acceleration_n.size() > 0)
-        state.acceleration_np1 = state.acceleration_n;
-      change -= momentum(state.velocity_np1, Vector()) -
-                momentum(state.velocity_n, state.unseen_velocity);
-      this->transfer.grid_to_points(state,
-                                    this->points,
-                                    std::numeric_limits<double>::infinity());
-      change += this->momentum();
-      change = dealii::Utilities::MPI::sum(change, communicator);
-      return change.norm() < 1e-9 * density;
-    }
-
     void
     print_friction()
     {
@@ -270,7 +174,7 @@ namespace
     void
     print_rest()
     {
-      const double top = 6. * edges<dim>()[dim - 1];
+      const double top = 6. * cell_edges<dim>()[dim - 1];
       for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
         state.pressure().local_element(node) =
           density * gravity *
@@ -284,7 +188,7 @@ namespace
       walls         = dealii::Utilities::MPI::sum(walls, communicator);
       double volume = std::pow(6., dim) - std::pow(2., dim);
       for (unsigned int d = 0; d < dim; ++d)
-        volume *= edges<dim>()[d];
+        volume *= cell_edges<dim>()[d];
       walls[dim - 1] -= density * gravity * volume;
       print(dim,
             "D: water at rest stays ",
@@ -344,38 +248,6 @@ namespace
       return result;
     }
 
-    /// Of a field at the points, with what it leaves out in single cells.
-    Tensor<1, dim>
-    momentum(const Vector &field, const Vector &unseen) const
-    {
-      const auto    &occupancy = this->occupancy;
-      const auto    &points    = this->points;
-      Tensor<1, dim> result;
-      occupancy.for_each_degree([&](const auto degree) {
-        PointBatch<dim, degree, double> at;
-        double                          v[dim][Basis<dim, degree>::n_nodes];
-        for (const unsigned int cell : occupancy.cells.occupied())
-          {
-            if (occupancy.degree(cell) != degree)
-              continue;
-            const auto nodes = occupancy.template unknowns<degree>(cell);
-            if (unseen.size() > 0)
-              nodes.read(field.begin(), unseen.begin(), v);
-            else
-              nodes.read(field.begin(), v);
-            const auto &geometry = occupancy.locator.cells.geometry(cell);
-            for (const std::size_t p : points.points_in(cell))
-              {
-                at.reinit_values(geometry.to_unit(points.position(p)));
-                for (unsigned int d = 0; d < dim; ++d)
-                  result[d] +=
-                    points.data(PointColumn::mass)[p] * at.value(v[d]);
-              }
-          }
-      });
-      return result;
-    }
-
     /// Largest difference of the normal components at a face that cells share;
     /// or these themselves.
     double
@@ -425,41 +297,6 @@ namespace
     BlockVector    residual;
   };
 
-  /// @p mesh: 1 has cells of two sizes, 2 elements of degree 2 and a surface,
-  /// so that cells at it are linear.
-  template <int dim>
-  void
-  print_momentum(const std::string &method,
-                 const char        *mass,
-                 const unsigned int mesh)
-  {
-    const char *const meshes[] = {"", ", cells of two sizes", ", degree 2"};
-    const std::string text =
-      std::string(
-        mesh == 2 ?
-          "subsection Formulation\n set Element degree = 2\nend\n"
-          "subsection Points\n set Per cell and direction = 4\nend\n" :
-          "") +
-      "subsection Transfer\n set Method = " + method + "\n set Mass = " + mass +
-      "\nend\n";
-    // of Newmark's rule, with which all edges stay fixed
-    if (method == "FLIP acceleration")
-      return;
-    // the series need the lumped mass, which keeps the momentum of degree 1
-    const bool is_lumped = mass == std::string("lumped");
-    if (is_lumped ? mesh == 2 : method == "XPIC" || method == "FMPM")
-      return;
-    Test<dim> transfer(mesh == 1, text, mesh == 2 ? 4.5 : 6.);
-    print(dim,
-          "D: ",
-          method,
-          ", ",
-          mass,
-          meshes[mesh],
-          ": momentum kept ",
-          verdict(transfer.keeps_momentum()));
-  }
-
   template <int dim>
   void
   test()
@@ -486,10 +323,6 @@ namespace
     quadratic.print_uniform_motion();
     quadratic.print_rest();
     quadratic.print_tangent();
-    for (const std::string &method : transfer_names())
-      for (const int mesh : {0, 1, 2})
-        for (const char *mass : {"lumped", "consistent"})
-          print_momentum<dim>(method, mass, mesh);
     print("with oblique directions:");
     Test<dim> oblique(/*refined=*/false);
     oblique.make_oblique();
