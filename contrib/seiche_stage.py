@@ -63,6 +63,14 @@ def is_known(name, time, points):
         name == "pressure" and (time > 0 or bool(numpy.any(field(points, name) != 0))))
 
 
+def keep_free(figure, legend, below):
+    """The figure's layout without the strip of a legend below or at the right."""
+    extent = legend.get_window_extent(figure.canvas.get_renderer())
+    width, height = extent.width / figure.bbox.width, extent.height / figure.bbox.height
+    figure.get_layout_engine().set(rect=(0, height, 1, 1 - height) if below else
+                                   (0, 0, 1 - width, 1))
+
+
 class Stage:
     """Limits of the colours, the walls of all times and the room that is shown."""
 
@@ -111,10 +119,12 @@ class Stage:
                             **{"shrink": 0.8, "aspect": 30, **options})
         names = list(self.run.fluids().values())
         if len(names) > 1 and self.shows_fluids:
-            place = {"loc": "outside lower center", "ncols": len(names)} if FIELDS[self.name] else {
-                "loc": "outside right center"}  # where the bar would be
-            figure.legend([Patch(fc=fluid_colour(n), ec=EDGE, lw=0.6) for n in range(len(names))],
-                          names, frameon=False, **place)
+            below = bool(FIELDS[self.name])  # beside the axes is the bar
+            legend = figure.legend(
+                [Patch(fc=fluid_colour(n), ec=EDGE, lw=0.6) for n in range(len(names))], names,
+                frameon=False, loc="lower center" if below else "center right",
+                ncols=len(names) if below else 1)
+            keep_free(figure, legend, below)
 
     def colours(self, frame, values, fluids):
         """Colours [n, 3] of values [n] in fluids of these numbers [n]."""
