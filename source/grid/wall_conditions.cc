@@ -42,8 +42,11 @@ namespace seiche
          occupancy.constraints.walls_at(node))
       if (c == component)
         {
+          // an obstacle stays where it is
           const double v =
-            occupancy.locator.grid.wall(number).sliding_velocity(x, time)[c];
+            is_normal ?
+              0. :
+              occupancy.locator.grid.wall(number).sliding_velocity(x, time)[c];
           if (std::abs(v) < std::abs(slowest))
             slowest = v;
         }

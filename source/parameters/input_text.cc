@@ -14,10 +14,10 @@ namespace seiche
   std::string
   problem_of_name(const std::string &name)
   {
-    return name.find_first_of("/,;\"") == std::string::npos ?
+    return name.find_first_of("/.,;\"") == std::string::npos ?
              "" :
              ": the name of subsection \"" + name +
-               "\" has one of / , ; \" in it; leave them out.";
+               "\" has one of / . , ; \" in it; leave them out.";
   }
 
   std::string

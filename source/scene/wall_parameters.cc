@@ -127,7 +127,8 @@ namespace seiche
         prm.add_parameter("Velocity",
                           obstacle.velocity_text,
                           "Velocity of the faces of a no-slip obstacle along "
-                          "themselves, as of a turning cylinder: one "
+                          "themselves (what is normal to a face has no "
+                          "effect there): one "
                           "expression of x, y[, z], t per direction, "
                           "separated by \";\"; empty: at rest. [m/s]",
                           anything);

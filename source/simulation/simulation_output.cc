@@ -115,17 +115,24 @@ namespace seiche
     const double energy = scene.postprocessors.relative_energy();
     if (step > 0)
       report.progress(time, dt, record.newton, record.krylov, energy);
+    if (const double gain = suspicious_energy_gain(); gain > 0.)
+      report.warn("the energy has risen by more than 10 % of that at the "
+                  "start: the run is unstable or far too coarse",
+                  fmt::format("t = {:.6g} s, {:.3g}", time, gain));
+  }
+
+  template <int dim>
+  double
+  Simulation<dim>::suspicious_energy_gain() const
+  {
     const bool is_isolated =
       (problem.body_force.is_constant() || problem.tank_motion.any()) &&
       !problem.walls_move();
     // a soft fluid takes its energy back from the volume
     const double gain = scene.fluid.is_incompressible() ?
                           scene.postprocessors.relative_energy_gain() :
-                          energy - 1.;
-    if (is_isolated && gain > suspicious_gain)
-      report.warn("the energy has risen by more than 10 % of that at the "
-                  "start: the run is unstable or far too coarse",
-                  fmt::format("t = {:.6g} s, {:.3g}", time, gain));
+                          scene.postprocessors.relative_energy() - 1.;
+    return is_isolated && gain > suspicious_gain ? gain : 0.;
   }
 
   template <int dim>
@@ -160,6 +167,8 @@ namespace seiche
     for (const auto &[name, value] : problem.point_control.account())
       summary["point control"][name] = value;
     scene.postprocessors.finish(statistics, summary);
+    if (const double gain = suspicious_energy_gain(); gain > 0.)
+      summary["alarms"]["energy"] = gain;
     report.finish(summary, timer);
   }
 

@@ -26,6 +26,8 @@ namespace seiche
       const double larger_modulus       = 10.;
       const double least_inertia_factor = 0.25; // doc/methods.md, in splashes
       return {
+        {scene.transfer.is_consistent(/*degree=*/1),
+         "Transfer/Mass = automatic"},
         {is_mixed && !has_subscales, "Formulation/Stabilization = ASGS"},
         {has_subscales && vms.is_quasi_static() && vms.has_inertia() &&
            vms.speed_floor < least_floor,

@@ -156,6 +156,11 @@ namespace seiche
     void
     postprocess();
 
+    /// What the energy has gained over that at the start, if nothing feeds it
+    /// and it is too much for a stable run; else zero.
+    double
+    suspicious_energy_gain() const;
+
     /// Of the last attempt.
     void
     count_iterations();
