@@ -194,12 +194,9 @@ namespace seiche
                                   &state.velocity_n};
     if (state.acceleration_n.size() > 0)
       sums.push_back(&state.acceleration_n);
-    if (occupancy.zero_components.exist())
-      for (Vector *vector : {&state.unseen_mass, &state.unseen_velocity})
-        {
-          *vector = 0.;
-          vector->zero_out_ghost_values();
-        }
+    const bool any_unseen = occupancy.zero_components.exist();
+    if (any_unseen)
+      sums.insert(sums.end(), {&state.unseen_mass, &state.unseen_velocity});
     for (Vector *vector : sums)
       {
         *vector = 0.; // own entries
@@ -211,11 +208,13 @@ namespace seiche
       if (degree == 1 || !linear_cells_only)
         add(points, occupancy, gradient, state);
     });
+    if (any_unseen)
+      sum_unseen(
+        points, occupancy, gradient, is_consistent, linear_cells_only, state);
     for (Vector *vector : sums)
       vector->compress(dealii::VectorOperation::add);
-    if (occupancy.zero_components.exist())
-      take_out_unseen(
-        points, occupancy, gradient, is_consistent, linear_cells_only, state);
+    if (any_unseen)
+      state.velocity_n.add(-1., state.unseen_velocity);
   }
 
 #define INSTANTIATE(dim)                              \

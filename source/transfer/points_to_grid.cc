@@ -2,7 +2,6 @@
 #include <seiche/transfer/extrapolation.h>
 #include <seiche/transfer/point_sums.h>
 #include <seiche/transfer/transfer.h>
-#include <seiche/transfer/unseen_momentum.h>
 
 namespace seiche
 {
@@ -29,6 +28,8 @@ namespace seiche
               velocity[dim * node + c] *= inverse;
               if (with_acceleration)
                 acceleration[dim * node + c] *= inverse;
+              if (const double unseen = state.unseen(node, c); unseen != 0.)
+                state.unseen_velocity.local_element(dim * node + c) /= unseen;
             }
         }
     }
@@ -48,12 +49,11 @@ namespace seiche
                  is_consistent,
                  /*linear_cells_only=*/false,
                  state);
-    if (occupancy.zero_components.exist())
-      find_unseen_velocity(state);
     divide_by_mass(occupancy, with_acceleration, state);
     state.mass.update_ghost_values();
     state.pressure_guess.update_ghost_values();
     state.velocity_n.update_ghost_values();
+    state.unseen_velocity.update_ghost_values();
     if (state.acceleration_n.size() > 0)
       state.acceleration_n.update_ghost_values();
     if (is_consistent)

@@ -71,45 +71,27 @@ namespace seiche
 
   template <int dim>
   void
-  take_out_unseen(const PointCloud<dim> &points,
-                  const Occupancy<dim>  &occupancy,
-                  const GradientUse      gradient,
-                  const bool             is_consistent,
-                  const bool             linear_cells_only,
-                  GridState<dim>        &state)
+  sum_unseen(const PointCloud<dim> &points,
+             const Occupancy<dim>  &occupancy,
+             const GradientUse      gradient,
+             const bool             is_consistent,
+             const bool             linear_cells_only,
+             GridState<dim>        &state)
   {
-    if (state.acceleration_n.size() > 0)
-      state.acceleration_n.zero_out_ghost_values();
     occupancy.for_each_degree([&](const auto degree) {
       if (degree == 1 || !linear_cells_only)
         add_cells<dim, degree>(
           points, occupancy, gradient, is_consistent, state);
     });
-    state.unseen_mass.compress(VectorOperation::add);
-    state.unseen_velocity.compress(VectorOperation::add);
-    if (state.acceleration_n.size() > 0)
-      state.acceleration_n.compress(VectorOperation::add);
-    state.velocity_n.add(-1., state.unseen_velocity);
   }
 
-  template <int dim>
-  void
-  find_unseen_velocity(GridState<dim> &state)
-  {
-    for (unsigned int i = 0; i < state.unseen_mass.locally_owned_size(); ++i)
-      if (const double mass = state.unseen_mass.local_element(i); mass != 0.)
-        state.unseen_velocity.local_element(i) /= mass;
-    state.unseen_velocity.update_ghost_values();
-  }
-
-#define INSTANTIATE(dim)                                 \
-  template void take_out_unseen(const PointCloud<dim> &, \
-                                const Occupancy<dim> &,  \
-                                const GradientUse,       \
-                                const bool,              \
-                                const bool,              \
-                                GridState<dim> &);       \
-  template void find_unseen_velocity(GridState<dim> &);
+#define INSTANTIATE(dim)                            \
+  template void sum_unseen(const PointCloud<dim> &, \
+                           const Occupancy<dim> &,  \
+                           const GradientUse,       \
+                           const bool,              \
+                           const bool,              \
+                           GridState<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

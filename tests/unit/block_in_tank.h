@@ -67,4 +67,18 @@ block_in_tank(const bool         refined,
   return text;
 }
 
+/// Of the points of this rank [kg m/s].
+template <int dim>
+dealii::Tensor<1, dim>
+momentum_of(const seiche::PointCloud<dim> &points)
+{
+  using seiche::PointColumn;
+  dealii::Tensor<1, dim> result;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    for (unsigned int d = 0; d < dim; ++d)
+      result[d] += points.data(PointColumn::mass)[p] *
+                   points.data(PointColumn::velocity, d)[p];
+  return result;
+}
+
 #endif

@@ -104,7 +104,7 @@ namespace
             std::max(error,
                      std::abs(state.velocity_n.local_element(dim * node + d) -
                               d - 1.));
-      Tensor<1, dim> change = -momentum();
+      Tensor<1, dim> change = -momentum_of(this->points);
       for (unsigned int node = 0; node < this->occupancy.nodes.n_own(); ++node)
         for (unsigned int d = 0; d < dim; ++d)
           {
@@ -237,17 +237,6 @@ namespace
     }
 
   private:
-    Tensor<1, dim>
-    momentum() const
-    {
-      Tensor<1, dim> result;
-      for (std::size_t p = 0; p < this->points.size(); ++p)
-        for (unsigned int d = 0; d < dim; ++d)
-          result[d] += this->points.data(PointColumn::mass)[p] *
-                       this->points.data(PointColumn::velocity, d)[p];
-      return result;
-    }
-
     /// Largest difference of the normal components at a face that cells share;
     /// or these themselves.
     double

@@ -36,7 +36,7 @@ namespace
       for (std::size_t p = 0; p < this->points.size(); ++p)
         for (unsigned int d = 0; d < dim; ++d)
           v[d][p] = 1. + std::sin(3. * this->points.position(p)[d] + d);
-      Tensor<1, dim> change = -this->momentum();
+      Tensor<1, dim> change = -momentum_of(this->points);
       this->points_to_grid(state);
       state.dt = 0.01;
       this->convex_edges.update(state);
@@ -53,23 +53,12 @@ namespace
       this->transfer.grid_to_points(state,
                                     this->points,
                                     std::numeric_limits<double>::infinity());
-      change += this->momentum();
+      change += momentum_of(this->points);
       change = dealii::Utilities::MPI::sum(change, communicator);
       return change.norm() < 1e-6;
     }
 
   private:
-    Tensor<1, dim>
-    momentum() const
-    {
-      Tensor<1, dim> result;
-      for (std::size_t p = 0; p < this->points.size(); ++p)
-        for (unsigned int d = 0; d < dim; ++d)
-          result[d] += this->points.data(PointColumn::mass)[p] *
-                       this->points.data(PointColumn::velocity, d)[p];
-      return result;
-    }
-
     /// Of a field at the points, with what it leaves out in single cells.
     Tensor<1, dim>
     momentum(const Vector &field, const Vector &unseen) const

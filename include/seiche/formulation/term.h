@@ -95,43 +95,43 @@ namespace seiche
 
   /// Of a term only what subscales see of it, r and g.
   template <typename FullTerm>
-  struct Strong : FullTerm
+  struct Strong : Term
   {
-    explicit Strong(const FullTerm &term)
-      : FullTerm(term)
+    static constexpr bool has_pressure   = FullTerm::has_pressure;
+    static constexpr bool has_body_force = FullTerm::has_body_force;
+    static constexpr bool is_viscous     = FullTerm::is_viscous;
+
+    explicit Strong(const FullTerm &full_term)
+      : term(full_term)
     {}
 
     template <int dim, int degree>
-    void
-    add_residual(const PointState<dim, degree> &, PointForces<dim> &) const
-    {}
-    template <int dim, int degree>
-    void
-    add_nodal_residual(const PointState<dim, degree> &,
-                       NodalSums<dim, degree> &) const
-    {}
-    template <int dim, int degree>
-    void
-    add_tangent(const PointState<dim, degree> &,
-                TangentSums<dim, degree> &,
-                CellData<dim, degree> &) const
-    {}
-    template <int dim, int degree>
-    void
-    add_cell_residual(CellData<dim, degree> &) const
-    {}
-    template <int dim, int degree>
-    void
-    add_cell_tangent(CellData<dim, degree> &) const
-    {}
     bool
-    acts_on_faces() const
+    needs_velocity_gradient(const CellData<dim, degree> &cell) const
     {
-      return false;
+      return term.needs_velocity_gradient(cell);
     }
+    template <int dim, int degree>
+    Lanes
+    volume_ratio(const CellData<dim, degree> &cell, const unsigned int q) const
+    {
+      return term.volume_ratio(cell, q);
+    }
+    template <int dim, int degree>
     void
-    add_ghost(const GhostFaceData &, GhostCoefficients &) const
-    {}
+    evaluate(PointState<dim, degree> &state) const
+    {
+      term.evaluate(state);
+    }
+    template <int dim, int degree>
+    void
+    linearize(PointState<dim, degree> &state) const
+    {
+      term.linearize(state);
+    }
+
+  private:
+    const FullTerm term;
   };
 } // namespace seiche
 

@@ -12,7 +12,7 @@ namespace seiche
    * Masses of the nodes, sum_p m_p N_I, and in place of the fields that are
    * means weighted by them (pressure_guess, velocity_n, acceleration_n) their
    * sums (doc/theory.md (7.1)). Where components are zero in single cells, what
-   * their points bring is taken out (take_out_unseen()). @p is_consistent:
+   * their points bring is taken out (sum_unseen()). @p is_consistent:
    * for the consistent mass matrix. Collective.
    */
   template <int dim>

@@ -10,26 +10,20 @@ namespace seiche
 {
   /**
    * Points of cells in which a component of a node is zero (doc/theory.md
-   * (8.0c)) do not count for that component: take their momentum out of the
-   * sums in state.velocity_n [kg m/s], and keep it in state.unseen_velocity,
-   * their masses in state.unseen_mass; and their accelerations of those in
-   * state.acceleration_n. state.mass has all points. @p is_consistent: weights
-   * are the shape functions, as in the mass matrix, not the positive hats.
-   * Collective.
+   * (8.0c)) do not count for that component: add their momentum to
+   * state.unseen_velocity [kg m/s] and their masses to state.unseen_mass, and
+   * take their accelerations out of the sums in state.acceleration_n. @p
+   * is_consistent: weights are the shape functions, as in the mass matrix, not
+   * the positive hats. Own and ghost entries, to be compressed.
    */
   template <int dim>
   void
-  take_out_unseen(const PointCloud<dim> &points,
-                  const Occupancy<dim>  &occupancy,
-                  const GradientUse      gradient,
-                  const bool             is_consistent,
-                  const bool             linear_cells_only,
-                  GridState<dim>        &state);
-
-  /// Means in place of the sums in state.unseen_velocity. Collective.
-  template <int dim>
-  void
-  find_unseen_velocity(GridState<dim> &state);
+  sum_unseen(const PointCloud<dim> &points,
+             const Occupancy<dim>  &occupancy,
+             const GradientUse      gradient,
+             const bool             is_consistent,
+             const bool             linear_cells_only,
+             GridState<dim>        &state);
 } // namespace seiche
 
 #endif
