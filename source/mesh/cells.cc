@@ -63,7 +63,7 @@ namespace seiche
       for (const unsigned int face : iterators[cell]->face_indices())
         walls[cell][face] =
           iterators[cell]->at_boundary(face) && !lattice.at_seam(cell, face) ?
-            &grid.wall(iterators[cell]->face(face)->boundary_id()) :
+            &grid.wall_at(iterators[cell]->face(face)) :
             nullptr;
   }
 

@@ -31,11 +31,12 @@ namespace seiche
            const unsigned int   cell,
            const Point<dim>    &unit)
   {
-    const auto level  = view.fill.surface().level_in(cell);
-    double     result = 0.;
-    for (unsigned int v = 0; v < level.size(); ++v)
-      result += level[v] * GeometryInfo<dim>::d_linear_shape_function(unit, v);
-    return result;
+    const auto level = view.fill.surface().level_in(cell);
+    double     at_vertices[Basis<dim, 1>::n_nodes];
+    std::copy(level.begin(), level.end(), at_vertices);
+    PointBatch<dim, 1, double> point;
+    point.reinit_values(unit);
+    return point.value(at_vertices);
   }
 
   template <int dim>

@@ -256,10 +256,10 @@ namespace seiche
 
   template <int dim>
   const Wall<dim> &
-  BackgroundGrid<dim>::wall(const dealii::types::boundary_id id) const
+  BackgroundGrid<dim>::wall(const unsigned int number) const
   {
-    AssertIndexRange(id, parameters.walls.size());
-    return parameters.walls[id];
+    AssertIndexRange(number, parameters.walls.size());
+    return parameters.walls[number];
   }
 
 

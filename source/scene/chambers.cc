@@ -35,7 +35,7 @@ namespace seiche
         open.resize(numbers.size(), 0);
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() &&
-              grid.wall(face->boundary_id()).condition == WallCondition::open)
+              grid.wall_at(face).condition == WallCondition::open)
             open[chamber] = 1;
       }
   }

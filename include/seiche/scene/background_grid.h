@@ -70,9 +70,16 @@ namespace seiche
     const LatticeBox &
     obstacle_box(const unsigned int index) const;
 
-    /// By boundary id.
     const Wall<dim> &
-    wall(const dealii::types::boundary_id id) const;
+    wall(const unsigned int number) const;
+
+    /// The wall, or open or periodic side, of a face at the boundary.
+    template <typename FaceIterator>
+    const Wall<dim> &
+    wall_at(const FaceIterator &face) const
+    {
+      return wall(face->boundary_id());
+    }
 
     const GridParameters<dim>                        &parameters;
     dealii::parallel::distributed::Triangulation<dim> triangulation;
