@@ -9,18 +9,17 @@ namespace seiche
   using namespace dealii;
 
   template <int dim>
-  BlockMatrix<dim>::BlockMatrix(const Occupancy<dim> &grid_occupancy,
-                                const bool            pressure)
-    : occupancy(grid_occupancy)
-    , pattern(grid_occupancy)
+  BlockMatrix<dim>::BlockMatrix(const Fill<dim> &fill, const bool pressure)
+    : occupancy(fill.occupancy)
+    , pattern(fill)
     , with_pressure(pressure)
   {}
 
   template <int dim>
   void
-  BlockMatrix<dim>::reinit(const Fill<dim> &fill)
+  BlockMatrix<dim>::reinit()
   {
-    if (!pattern.reinit(fill))
+    if (!pattern.reinit())
       return;
     ++pattern_generation;
     const std::size_t n = pattern.n_entries();

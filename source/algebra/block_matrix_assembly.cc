@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/algebra/block_matrix.h>
 
-#include <array>
-
-// The part of BlockMatrix that adds the matrices of cells and faces.
+// The part of BlockMatrix that adds the matrices of cells and pairs of nodes.
 namespace seiche
 {
   using namespace dealii;
@@ -122,68 +120,25 @@ namespace seiche
   }
 
   template <int dim>
-  template <int degree>
   void
-  BlockMatrix<dim>::add_face(const GhostFaceMatrix<dim, degree> &face,
-                             const double velocity_coefficient,
-                             const double pressure_coefficient)
+  BlockMatrix<dim>::add_pair(const unsigned int entry,
+                             const unsigned int row,
+                             const unsigned int column,
+                             const double       displacement,
+                             const double       pressure)
   {
-    constexpr unsigned int max_nodes = GhostFaceMatrix<dim, degree>::max_nodes;
-    const unsigned int     n         = n_fields();
-    std::array<unsigned int, max_nodes>                        order, columns;
-    std::array<std::array<unsigned int, max_nodes>, max_nodes> entries;
-    const auto column = [&](const unsigned int a) {
-      return pattern.column_of_local(face.nodes[a]);
-    };
-    for (unsigned int a = 0; a < face.n_nodes; ++a) // insertion sort
-      {
-        unsigned int k = a;
-        for (; k > 0 && column(order[k - 1]) > column(a); --k)
-          order[k] = order[k - 1];
-        order[k] = a;
-      }
-    for (unsigned int b = 0; b < face.n_nodes; ++b)
-      columns[b] = column(order[b]);
-
-    // all at once: what has to come from memory comes together
-    for (unsigned int a = 0; a < face.n_nodes; ++a)
-      {
-        pattern.find_entries(face.nodes[a],
-                             columns.data(),
-                             face.n_nodes,
-                             entries[a].data());
-        for (unsigned int k = 0; k < face.n_nodes; ++k)
-          {
-            fetch(&displacement_columns[entries[a][k] * dim * n], dim * n);
-            if (with_pressure)
-              fetch(&pressure_column[entries[a][k] * n], n);
-          }
-      }
-    for (unsigned int a = 0; a < face.n_nodes; ++a)
-      {
-        const unsigned int fixed =
-          occupancy.constraints.fixed_components(face.nodes[a]);
-        for (unsigned int k = 0; k < face.n_nodes; ++k)
-          {
-            const unsigned int b     = order[k];
-            const std::size_t  entry = entries[a][k];
-            const unsigned int other =
-              occupancy.constraints.fixed_components(face.nodes[b]);
-            double *to = &displacement_columns[entry * dim * n];
-            if ((fixed | other) & (1u << dim))
-              add_projected(face.nodes[a],
-                            face.nodes[b],
-                            velocity_coefficient * face.B[a][b],
-                            to);
-            else
-              for (unsigned int i = 0; i < dim; ++i)
-                if (!((fixed | other) & (1u << i)))
-                  to[i * n + i] += velocity_coefficient * face.B[a][b];
-            if (with_pressure)
-              pressure_column[entry * n + dim] +=
-                pressure_coefficient * face.B[a][b];
-          }
-      }
+    const std::size_t  n = n_fields(), e = entry;
+    const unsigned int fixed = occupancy.constraints.fixed_components(row) |
+                               occupancy.constraints.fixed_components(column);
+    double *to = &displacement_columns[e * dim * n];
+    if (fixed & (1u << dim))
+      add_projected(row, column, displacement, to);
+    else
+      for (unsigned int i = 0; i < dim; ++i)
+        if (!(fixed & (1u << i)))
+          to[i * n + i] += displacement;
+    if (with_pressure)
+      pressure_column[e * n + dim] += pressure;
   }
 
   template <int dim>
@@ -204,12 +159,22 @@ namespace seiche
   BlockMatrix<2>::prefetch_cell(const unsigned int) const;
   template void
   BlockMatrix<3>::prefetch_cell(const unsigned int) const;
+  template void
+  BlockMatrix<2>::add_pair(const unsigned int,
+                           const unsigned int,
+                           const unsigned int,
+                           const double,
+                           const double);
+  template void
+  BlockMatrix<3>::add_pair(const unsigned int,
+                           const unsigned int,
+                           const unsigned int,
+                           const double,
+                           const double);
 
-#define INSTANTIATE(dim, degree)                                             \
-  template void BlockMatrix<dim>::add_cell(const unsigned int,               \
-                                           const CellMatrix<dim, degree> &); \
-  template void BlockMatrix<dim>::add_face(                                  \
-    const GhostFaceMatrix<dim, degree> &, const double, const double);
+#define INSTANTIATE(dim, degree)                               \
+  template void BlockMatrix<dim>::add_cell(const unsigned int, \
+                                           const CellMatrix<dim, degree> &);
   INSTANTIATE(2, 1)
   INSTANTIATE(2, 2)
   INSTANTIATE(3, 1)

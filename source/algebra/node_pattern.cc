@@ -10,14 +10,15 @@ namespace seiche
   using namespace dealii;
 
   template <int dim>
-  NodePattern<dim>::NodePattern(const Occupancy<dim> &grid_occupancy)
-    : occupancy(grid_occupancy)
-    , n_nodes(grid_occupancy.nodes_per_cell())
+  NodePattern<dim>::NodePattern(const Fill<dim> &grid_fill)
+    : fill(grid_fill)
+    , occupancy(grid_fill.occupancy)
+    , n_nodes(occupancy.nodes_per_cell())
   {}
 
   template <int dim>
   bool
-  NodePattern<dim>::reinit(const Fill<dim> &fill)
+  NodePattern<dim>::reinit()
   {
     const bool keep = numbering_generation == occupancy.nodes.generation() &&
                       covers(fill.ghost_faces());
@@ -26,7 +27,7 @@ namespace seiche
           occupancy.nodes.partitioner()->get_mpi_communicator()) == 1)
       return false;
     numbering_generation = occupancy.nodes.generation();
-    collect_couplings(fill);
+    collect_couplings();
     exchange_couplings();
     build_tables();
     return true;
@@ -69,7 +70,7 @@ namespace seiche
 
   template <int dim>
   void
-  NodePattern<dim>::collect_couplings(const Fill<dim> &fill)
+  NodePattern<dim>::collect_couplings()
   {
     // Groups of mutually coupled nodes: cells, pairs of cells across ghost
     // faces, each node alone.

@@ -65,8 +65,13 @@ namespace seiche
     , wall_friction(occupancy, row_mass)
     , wall_contact(wall_conditions, occupancy, row_mass, body_force, materials)
     , quadrature(make_quadrature(points, fill, materials, volume_ratio(scene)))
-    , matrix(occupancy, formulation.has_pressure())
-    , assembler(formulation, materials, body_force, *quadrature, fill, timer)
+    , matrix(fill, formulation.has_pressure())
+    , assembler(formulation,
+                materials,
+                body_force,
+                *quadrature,
+                matrix.sparsity(),
+                timer)
   {}
 
   template <int dim>
@@ -139,7 +144,7 @@ namespace seiche
     const TimerTree::Scope scope(timer, "pattern");
     materials.update(points);
     occupancy.set_linear(fill.linear_cells());
-    matrix.reinit(fill);
+    matrix.reinit();
     row_mass.reinit(points);
     if (!time_scheme->needs_acceleration())
       {

@@ -13,18 +13,19 @@ namespace seiche
                             CellMaterials<dim>     &cell_materials,
                             const BodyForce<dim>   &force,
                             const Quadrature<dim>  &rule,
-                            const Fill<dim>        &grid_fill,
+                            const NodePattern<dim> &pattern,
                             TimerTree              &timer_tree)
     : formulation(equations)
     , materials(cell_materials)
     , quadrature(rule)
-    , fill(grid_fill)
-    , occupancy(grid_fill.occupancy)
+    , fill(pattern.fill)
+    , occupancy(pattern.occupancy)
     , body_force(force)
     , timer(timer_tree)
     , weak_form(formulation.step.get())
     , needs_start_speed(formulation.has_pressure() &&
                         !formulation.subscales->tau_is_uniform)
+    , ghost_penalty(pattern)
   {}
 
   template <int dim>
@@ -45,6 +46,7 @@ namespace seiche
       materials.update_viscosities(state.velocity_start);
     else
       materials.neglect_viscosities();
+    assemble_ghost_penalty();
   }
 
   template <int dim>
@@ -55,45 +57,33 @@ namespace seiche
   }
 
   template <int dim>
-  template <typename AddCell, typename AddFace>
+  template <typename Action>
   void
-  Assembler<dim>::for_each_cell_and_ghost_face(const AddCell &add_cell,
-                                               const AddFace &add_face)
+  Assembler<dim>::for_each_cell(const Action &action) const
   {
-    const auto &faces = fill.ghost_faces();
-    auto        face  = weak_form->acts_on_faces ? faces.begin() : faces.end();
-    std::tuple<GhostFaceMatrix<dim, 1>, GhostFaceMatrix<dim, 2>> matrices;
     for (const unsigned int cell : occupancy.cells.occupied())
-      {
-        with_degree(occupancy.degree(cell),
-                    [&](const auto degree) { add_cell(cell, degree); });
-        // at once, while its rows are in the cache
-        for (; face != faces.end() &&
-               (face->lower == cell || face->upper == cell);
-             ++face)
-          {
-            const double size = // of the smaller cell, the face belongs to it
-              std::pow(
-                std::min(occupancy.locator.cells.geometry(face->lower).measure,
-                         occupancy.locator.cells.geometry(face->upper).measure),
-                1. / dim);
-            const auto add = [&](const auto degree) {
-              auto &matrix = std::get<degree - 1>(matrices);
-              matrix.evaluate(*face, occupancy);
-              add_face(matrix,
-                       weak_form->ghost_coefficients(
-                         {matrix.h,
-                          materials.mean(face->lower, face->upper)
-                            .mass(std::pow(matrix.h, 3)),
-                          ghost_tau(*face, size, degree),
-                          face->fragment}));
-            };
-            with_degree(std::max(occupancy.degree(face->lower),
-                                 occupancy.degree(face->upper)),
-                        add);
-          }
-      }
-    Assert(face == faces.end(), ExcInternalError());
+      with_degree(occupancy.degree(cell),
+                  [&](const auto degree) { action(cell, degree); });
+  }
+
+  template <int dim>
+  void
+  Assembler<dim>::assemble_ghost_penalty()
+  {
+    const TimerTree::Scope scope(timer, "ghost penalty");
+    ghost_penalty.clear();
+    if (weak_form->acts_on_faces)
+      ghost_penalty.assemble(
+        fill.ghost_faces(),
+        [this](const GhostFace   &face,
+               const double       h,
+               const unsigned int degree) {
+          return weak_form->ghost_coefficients(
+            {h,
+             materials.mean(face.lower, face.upper).mass(std::pow(h, 3)),
+             ghost_tau(face, degree),
+             face.fragment});
+        });
   }
 
   template <int dim>
@@ -162,42 +152,9 @@ namespace seiche
       if (mixed)
         nodes.add(data.residual_p, residual.block(1).begin());
     };
-    const auto add_face = [&](const auto              &face,
-                              const GhostCoefficients &coefficient) {
-      const unsigned int n = face.n_nodes;
-      for (unsigned int i = 0; i < dim; ++i)
-        {
-          double jump[std::decay_t<decltype(face)>::max_nodes];
-          for (unsigned int b = 0; b < n; ++b)
-            {
-              const unsigned int dof = dim * face.nodes[b] + i;
-              const double       u   = state.displacement().local_element(dof);
-              jump[b] =
-                coefficient.acceleration *
-                  (step.inertia * u + inertia_offset->local_element(dof)) +
-                coefficient.velocity *
-                  (step.rate * u + rate_offset->local_element(dof));
-            }
-          for (unsigned int a = 0; a < n; ++a)
-            {
-              double sum = 0.;
-              for (unsigned int b = 0; b < n; ++b)
-                sum += face.B[a][b] * jump[b];
-              residual.block(0).local_element(dim * face.nodes[a] + i) += sum;
-            }
-        }
-      if (mixed)
-        for (unsigned int a = 0; a < n; ++a)
-          {
-            double sum = 0.;
-            for (unsigned int b = 0; b < n; ++b)
-              sum +=
-                face.B[a][b] * state.pressure().local_element(face.nodes[b]);
-            residual.block(1).local_element(face.nodes[a]) +=
-              coefficient.pressure * sum;
-          }
-    };
-    for_each_cell_and_ghost_face(add_cell, add_face);
+    for_each_cell(add_cell);
+    ghost_penalty.add_residual(
+      step, *inertia_offset, *rate_offset, state.solution, residual);
   }
 
   template <int dim>
@@ -242,14 +199,8 @@ namespace seiche
         }
       matrix.add_cell(cell, data);
     };
-    const auto add_face = [&](const auto              &face,
-                              const GhostCoefficients &coefficient) {
-      matrix.add_face(face,
-                      coefficient.acceleration * step.inertia +
-                        coefficient.velocity * step.rate,
-                      coefficient.pressure);
-    };
-    for_each_cell_and_ghost_face(add_cell, add_face);
+    for_each_cell(add_cell);
+    ghost_penalty.add_tangent(step, matrix);
   }
 
   template <int dim>
@@ -294,11 +245,13 @@ namespace seiche
   template <int dim>
   double
   Assembler<dim>::ghost_tau(const GhostFace   &face,
-                            const double       size,
                             const unsigned int degree) const
   {
     if (!formulation.has_pressure())
       return 0.;
+    const double size = // of the smaller cell, the face belongs to it
+      std::min(occupancy.locator.cells.geometry(face.lower).size(),
+               occupancy.locator.cells.geometry(face.upper).size());
     return 1. / formulation.subscales->inverse_transient_tau(
                   tau_arguments(size,
                                 degree,

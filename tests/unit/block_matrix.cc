@@ -5,6 +5,7 @@
 // out.
 #include <seiche/algebra/block_ilu.h>
 #include <seiche/algebra/epetra_copy.h>
+#include <seiche/grid/ghost_face_matrix.h>
 #include <seiche/grid/mesh_adaptation.h>
 
 #include <Epetra_Vector.h>
@@ -37,12 +38,11 @@ namespace
   /// Cell matrices of a made-up coupling that decays with distance.
   template <int dim>
   void
-  assemble(const Occupancy<dim> &occupancy,
-           const Fill<dim>      &fill,
-           BlockMatrix<dim>     &matrix)
+  assemble(BlockMatrix<dim> &matrix)
   {
-    CellMatrix<dim, 1> data;
-    matrix.reinit(fill);
+    const Occupancy<dim> &occupancy = matrix.occupancy;
+    CellMatrix<dim, 1>    data;
+    matrix.reinit();
     matrix.set_zero();
     for (const unsigned int cell : occupancy.cells.occupied())
       {
@@ -66,10 +66,20 @@ namespace
         matrix.add_cell(cell, data);
       }
     GhostFaceMatrix<dim, 1> face_matrix;
-    for (const GhostFace &face : fill.ghost_faces())
+    for (const GhostFace &face : matrix.sparsity().fill.ghost_faces())
       {
         face_matrix.evaluate(face, occupancy);
-        matrix.add_face(face_matrix, 0.7, 0.4);
+        for (unsigned int a = 0; a < face_matrix.n_nodes; ++a)
+          for (unsigned int b = 0; b < face_matrix.n_nodes; ++b)
+            {
+              const unsigned int row    = face_matrix.nodes[a],
+                                 column = face_matrix.nodes[b];
+              matrix.add_pair(matrix.sparsity().entry(row, column),
+                              row,
+                              column,
+                              0.7 * face_matrix.B[a][b],
+                              0.4 * face_matrix.B[a][b]);
+            }
       }
     matrix.compress();
   }
@@ -152,8 +162,8 @@ namespace
   {
     const Setting<dim>    setting(scene_text<dim>());
     const Occupancy<dim> &occupancy = *setting.occupancy;
-    BlockMatrix<dim>      matrix(occupancy, with_pressure);
-    assemble(occupancy, *setting.fill, matrix);
+    BlockMatrix<dim>      matrix(*setting.fill, with_pressure);
+    assemble(matrix);
     const auto x = make_vector(occupancy, with_pressure);
     auto       y = x;
     matrix.vmult(y, x);
@@ -218,8 +228,8 @@ namespace
       "subsection Fluid body a\n set Lower corner = 0, 0" +
       first + "\n set Upper corner = 1, 1" + last +
       "\nend\nsubsection Points\n set Per cell and direction = 2\nend\n");
-    BlockMatrix<dim> matrix(*setting.occupancy, /*pressure=*/false);
-    assemble(*setting.occupancy, *setting.fill, matrix);
+    BlockMatrix<dim> matrix(*setting.fill, /*pressure=*/false);
+    assemble(matrix);
     BlockILU<dim> ilu;
     ilu.initialize(matrix, 1.);
     const auto x = make_vector(*setting.occupancy, false);

@@ -4,7 +4,6 @@
 
 #include <seiche/algebra/cell_matrix.h>
 #include <seiche/algebra/node_pattern.h>
-#include <seiche/grid/ghost_face_matrix.h>
 
 #include <deal.II/lac/la_parallel_block_vector.h>
 
@@ -33,11 +32,11 @@ namespace seiche
     using BlockVector = dealii::LinearAlgebra::distributed::BlockVector<double>;
 
     /// References must outlive the matrix.
-    BlockMatrix(const Occupancy<dim> &occupancy, const bool with_pressure);
+    BlockMatrix(const Fill<dim> &fill, const bool with_pressure);
 
     /// Adapt the pattern to occupancy and ghost faces if need be. Collective.
     void
-    reinit(const Fill<dim> &fill);
+    reinit();
 
     /// Grows by one with each new pattern.
     unsigned int
@@ -60,13 +59,15 @@ namespace seiche
     void
     add_cell(const unsigned int cell, const CellMatrix<dim, degree> &data);
 
-    /// Add B times a coefficient for each velocity component, and one for the
-    /// pressure.
-    template <int degree>
+    /// Add to the entry of two local nodes: a number for each component of the
+    /// displacement, and one for the pressure; rows and columns of fixed
+    /// components are left out.
     void
-    add_face(const GhostFaceMatrix<dim, degree> &face,
-             const double                        velocity_coefficient,
-             const double                        pressure_coefficient);
+    add_pair(const unsigned int entry,
+             const unsigned int row,
+             const unsigned int column,
+             const double       displacement,
+             const double       pressure);
 
     /// Sum over ranks; rows that got nothing become multiples of identity.
     /// Collective.

@@ -27,12 +27,12 @@ namespace seiche
   {
   public:
     /// The reference must outlive the pattern.
-    explicit NodePattern(const Occupancy<dim> &occupancy);
+    explicit NodePattern(const Fill<dim> &fill);
 
     /// Adapt to occupancy and ghost faces if need be; true if it changed.
     /// Collective.
     bool
-    reinit(const Fill<dim> &fill);
+    reinit();
 
     /// Entries of a row: [row_begin(i), row_begin(i + 1)).
     unsigned int
@@ -108,6 +108,11 @@ namespace seiche
     void
     add_to_owners(std::vector<double> &values, const unsigned int size) const;
 
+    /// Of the elements that couple across the face: the higher one.
+    unsigned int
+    degree(const GhostFace &face) const;
+
+    const Fill<dim>      &fill;
     const Occupancy<dim> &occupancy;
 
   private:
@@ -118,10 +123,6 @@ namespace seiche
       unsigned int              begin, end; ///< entries sent
       std::vector<unsigned int> entries;    ///< where the received are added
     };
-
-    /// Of the elements that couple across the face: the higher one.
-    unsigned int
-    degree(const GhostFace &face) const;
 
     bool
     covers(const std::vector<GhostFace> &faces) const;
@@ -135,7 +136,7 @@ namespace seiche
     /// Coupled nodes of each local node, from the cells and faces of this
     /// rank, in the local numbering. Local.
     void
-    collect_couplings(const Fill<dim> &fill);
+    collect_couplings();
 
     /// From local to column numbers, with what other ranks couple. Collective.
     void

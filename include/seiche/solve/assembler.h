@@ -6,6 +6,7 @@
 #include <seiche/formulation/formulation.h>
 #include <seiche/quadrature/quadrature.h>
 #include <seiche/scene/body_force.h>
+#include <seiche/solve/ghost_penalty.h>
 #include <seiche/solve/step_balance.h>
 #include <seiche/utilities/timer_tree.h>
 
@@ -30,12 +31,13 @@ namespace seiche
               CellMaterials<dim>     &materials,
               const BodyForce<dim>   &body_force,
               const Quadrature<dim>  &quadrature,
-              const Fill<dim>        &fill,
+              const NodePattern<dim> &pattern,
               TimerTree              &timer);
 
     /// Terms (of the formulation), scalars of the step, its start (time and
     /// velocity) and the nodal offsets of acceleration and velocity
-    /// (TimeScheme), which must outlive the step. Collective.
+    /// (TimeScheme), which must outlive the step; occupancy and pattern stay as
+    /// they are until the next begin(). Collective.
     void
     begin(const WeakForm<dim>    &weak_form,
           const StepCoefficients &coefficients,
@@ -126,9 +128,7 @@ namespace seiche
     /// one for every choice of the subscales' tau, which may be infinite or
     /// zero.
     double
-    ghost_tau(const GhostFace   &face,
-              const double       size,
-              const unsigned int degree) const;
+    ghost_tau(const GhostFace &face, const unsigned int degree) const;
 
     TauArguments
     tau_arguments(const double           size,
@@ -174,13 +174,14 @@ namespace seiche
     bool
     is_at_rest(const GridState<dim> &state) const;
 
-    /// add_cell(cell, degree) on each occupied cell, add_face(face matrix,
-    /// coefficients) on each ghost face of this rank: after the cell that the
-    /// list of faces has it from, in the order of that list.
-    template <typename AddCell, typename AddFace>
+    /// action(cell, degree) on each occupied cell.
+    template <typename Action>
     void
-    for_each_cell_and_ghost_face(const AddCell &add_cell,
-                                 const AddFace &add_face);
+    for_each_cell(const Action &action) const;
+
+    /// Of the terms and the step.
+    void
+    assemble_ghost_penalty();
 
     const Quadrature<dim> &quadrature;
     const Fill<dim>       &fill;
@@ -194,6 +195,7 @@ namespace seiche
     const BlockVector     *projection     = nullptr;
     const bool             needs_start_speed; // tau does
     StepCoefficients       step;
+    GhostPenalty<dim>      ghost_penalty;
 
     std::tuple<CellData<dim, 1>, CellData<dim, 2>> workspace; // of one cell
   };
