@@ -61,6 +61,13 @@ def write_curves(folder, columns):
             file.write(",".join("%.9g" % value for value in row) + "\n")
 
 
+def without_gaps(values):
+    """What is not known, as a pressure before the first step, is what was known
+    last, or first."""
+    last = next(value for value in values if value is not None)
+    return [last := last if value is None else value for value in values]
+
+
 class Seiche:
     """build/seiche; arguments: parameter file (relative to prm/), then "Subsection/Entry = value"."""
 
@@ -89,8 +96,8 @@ class Seiche:
             command += ["--set", entry]
         wall, cpu = measured(command, folder)
         statistics, summary = read_statistics(run), read_summary(run)
-        write_curves(folder, {short: statistics[name] for name, short in self.columns.items()
-                              if name in statistics})
+        write_curves(folder, {short: without_gaps(statistics[name])
+                              for name, short in self.columns.items() if name in statistics})
         phases = summary["phase_seconds"]
         return {
             "version": "Seiche " + summary["program_version"], "wall_seconds": wall,

@@ -10,6 +10,31 @@ namespace seiche
   {
     constexpr double slack = 1e-9; // of a piece: on its edge is inside
 
+    /// A place so far beside a piece's box, in its extents, has a share below
+    /// -slack.
+    constexpr double box_slack = 4. * slack;
+
+    /// False for most places that the plan does not stand over or under: next
+    /// to its box.
+    template <int dim>
+    bool
+    may_be_over(const SurfacePiece<dim> &plan, const Point<dim> &place)
+    {
+      for (unsigned int d = 0; d + 1 < dim; ++d)
+        {
+          double lower = plan[0][d], upper = plan[0][d];
+          for (unsigned int v = 1; v < dim; ++v)
+            {
+              lower = std::min(lower, plan[v][d]);
+              upper = std::max(upper, plan[v][d]);
+            }
+          const double margin = box_slack * (upper - lower);
+          if (place[d] < lower - margin || place[d] > upper + margin)
+            return false;
+        }
+      return true;
+    }
+
     /// Height of @p piece at the place of it that stands over (or under) @p
     /// place in @p plan, or none.
     template <int dim>
@@ -18,6 +43,8 @@ namespace seiche
            const SurfacePiece<dim> &plan,
            const Point<dim>        &place)
     {
+      if (!may_be_over(plan, place))
+        return Extent<dim>::none;
       // share of the plan across each vertex: (signed) sizes
       std::array<double, dim> share;
       double                  whole = 0.;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The harness of the benchmarks with codes that only pretend to run.
 
-check_benchmark.py CASE
+check_benchmark.py CASE SEICHE
 """
 import contextlib
 import importlib.machinery
@@ -26,7 +26,8 @@ def load_harness():
 
 harness = load_harness()
 from cases import Case, Run, rms_difference  # noqa: E402
-from codes import RunFailed, write_curves  # noqa: E402
+from codes import RunFailed, Seiche, write_curves  # noqa: E402
+from curves import read_curves  # noqa: E402
 from openfoam import crossing  # noqa: E402
 
 
@@ -147,6 +148,17 @@ def check_numbers(bench):
     assert crossing([0.5, 1.5, 2.5], [1.0, 0.75, 0.25], True) == 2.0
     assert crossing([0.5, 1.5, 2.5], [1.0, 1.0, 1.0], True) == 3.0
     assert crossing([0.5, 1.5, 2.5], [0.0, 0.0, 0.0], True) == 0.0
+
+
+def check_program(bench):
+    """The program itself: what the errors read is there from the start on."""
+    code = Seiche()
+    code.program = sys.argv[2]
+    result = code.run(["benchmarks/rotating_patch/rotating_patch.prm",
+                       "Time/End time = 0.1", "Time/Step = 0.05"], bench.folder)
+    curves = read_curves(bench.folder)
+    assert result["steps"] == 2 and len(curves["t"]) == 3, (result, curves)
+    assert curves["p_centre"][0] == curves["p_centre"][1], curves["p_centre"]
 
 
 if __name__ == "__main__":
