@@ -43,7 +43,7 @@ namespace seiche
            const SurfacePiece<dim> &plan,
            const Point<dim>        &place)
     {
-      if (!may_be_over(plan, place))
+      if (!may_be_over<dim>(plan, place))
         return Extent<dim>::none;
       // share of the plan across each vertex: (signed) sizes
       std::array<double, dim> share;
