@@ -6,50 +6,99 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// The places that are vertices of simplices: those of the cell, in 3D the
+    /// centres of its faces, and its centre.
+    template <int dim>
+    constexpr unsigned int n_places = dim == 2 ? 5 : 15;
+
+    /// The places as means of the cell's vertices.
+    template <int dim>
+    std::array<Point<dim>, n_places<dim>>
+    make_places()
+    {
+      std::array<Point<dim>, n_places<dim>> result;
+      for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+        result[v] = GeometryInfo<dim>::unit_cell_vertex(v);
+      unsigned int place = GeometryInfo<dim>::vertices_per_cell;
+      for (unsigned int d = 0; d < dim; ++d)
+        result.back()[d] = 0.5;
+      if constexpr (dim == 3)
+        for (const BoxFace face : GeometryInfo<dim>::face_indices())
+          {
+            result[place]                     = result.back();
+            result[place++][face.direction()] = face.is_upper();
+          }
+      return result;
+    }
+
+    template <int dim>
+    std::array<double, n_places<dim>>
+    values_at_places(const VertexValues<dim> &values)
+    {
+      std::array<double, n_places<dim>> result;
+      constexpr unsigned int n = std::tuple_size_v<VertexValues<dim>>;
+      std::copy(values.begin(), values.end(), result.begin());
+      double sum = 0.;
+      for (const double value : values)
+        sum += value;
+      result.back() = sum / n;
+      if constexpr (dim == 3)
+        for (const BoxFace face : GeometryInfo<dim>::face_indices())
+          {
+            sum = 0.;
+            for (unsigned int v = 0; v < n; ++v)
+              if (face.has_vertex(v))
+                sum += values[v];
+            result[n + face] = sum / (n / 2);
+          }
+      return result;
+    }
+
+    template <int dim>
+    using Corners = std::array<unsigned int, dim + 1>; ///< places
+
+    /// The cell's centre, then (3D) the face's, then the edge.
+    template <int dim>
+    std::array<Corners<dim>, n_cell_simplices<dim>>
+    make_corners()
+    {
+      std::array<Corners<dim>, n_cell_simplices<dim>> result;
+      constexpr unsigned int n    = std::tuple_size_v<VertexValues<dim>>;
+      auto                   next = result.begin();
+      for (const BoxFace face : GeometryInfo<dim>::face_indices())
+        for (unsigned int v = 0; v < n; ++v)
+          for (unsigned int d = 0; d < dim; ++d)
+            if (const unsigned int w = v | (1u << d);
+                w != v && face.has_vertex(v) && face.has_vertex(w))
+              {
+                Corners<dim> corners;
+                corners[0] = n_places<dim> - 1;
+                if constexpr (dim == 3)
+                  corners[1] = n + face;
+                corners[dim - 1] = v;
+                corners[dim]     = w;
+                *next++          = corners;
+              }
+      return result;
+    }
+  } // namespace
+
   template <int dim>
   std::array<CellSimplex<dim>, n_cell_simplices<dim>>
   cell_simplices(const VertexValues<dim> &values)
   {
-    const auto mean = [&](const auto &chosen, auto &point) {
-      double       value = 0.;
-      unsigned int n     = 0;
-      point              = Point<dim>();
-      for (unsigned int v = 0; v < values.size(); ++v)
-        if (chosen(v))
-          {
-            value += values[v];
-            point += GeometryInfo<dim>::unit_cell_vertex(v);
-            ++n;
-          }
-      point /= n;
-      return value / n;
-    };
+    static const auto places  = make_places<dim>();
+    static const auto corners = make_corners<dim>();
+    const auto        at      = values_at_places<dim>(values);
     std::array<CellSimplex<dim>, n_cell_simplices<dim>> result;
-    auto                                                next = result.begin();
-    CellSimplex<dim>                                    simplex;
-    // the cell's centre, then (3D) the face's, then the edge
-    simplex.values[0] =
-      mean([](unsigned int) { return true; }, simplex.vertices[0]);
-    for (const BoxFace face : GeometryInfo<dim>::face_indices())
-      {
-        const auto on_face = [&](const unsigned int v) {
-          return face.has_vertex(v);
-        };
-        if constexpr (dim == 3)
-          simplex.values[1] = mean(on_face, simplex.vertices[1]);
-        for (unsigned int v = 0; v < values.size(); ++v)
-          for (unsigned int d = 0; d < dim; ++d)
-            if (const unsigned int w = v | (1u << d);
-                w != v && on_face(v) && on_face(w))
-              {
-                simplex.vertices[dim - 1] =
-                  GeometryInfo<dim>::unit_cell_vertex(v);
-                simplex.vertices[dim] = GeometryInfo<dim>::unit_cell_vertex(w);
-                simplex.values[dim - 1] = values[v];
-                simplex.values[dim]     = values[w];
-                *next++                 = simplex;
-              }
-      }
+    for (unsigned int s = 0; s < result.size(); ++s)
+      for (unsigned int v = 0; v <= dim; ++v)
+        {
+          result[s].vertices[v] = places[corners[s][v]];
+          result[s].values[v]   = at[corners[s][v]];
+        }
     return result;
   }
 

@@ -8,103 +8,245 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Two roots of eigenvalues below this share of the third are zero: nothing
+    /// is left of them beside round-off.
+    constexpr double needle = 1e-9;
+
+    template <int dim>
+    Moments<dim>
+    of_unit_cell()
+    {
+      Moments<dim> result;
+      result.volume = 1.;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          result.first[d] = 0.5;
+          for (unsigned int e = 0; e <= d; ++e)
+            result.second[d][e] = d == e ? 1. / 3. : 1. / 4.;
+        }
+      return result;
+    }
+
+    template <int dim>
+    using Simplex = std::array<Point<dim>, dim + 1>; ///< vertices
+
+    template <int dim>
+    Moments<dim>
+    of_simplex(const Simplex<dim> &simplex)
+    {
+      Tensor<2, dim> edges;
+      Tensor<1, dim> total = simplex[0] - Point<dim>();
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          edges[i] = simplex[i + 1] - simplex[0];
+          total += simplex[i + 1] - Point<dim>();
+        }
+      Moments<dim> result;
+      result.volume = std::abs(determinant(edges)) / (dim == 2 ? 2. : 6.);
+      result.first  = result.volume / (dim + 1) * total;
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = 0; e <= d; ++e)
+          {
+            double sum = total[d] * total[e];
+            for (const Point<dim> &x : simplex)
+              sum += x[d] * x[e];
+            result.second[d][e] = result.volume / ((dim + 1) * (dim + 2)) * sum;
+          }
+      return result;
+    }
+
+    /// Of the whole simplices of a cell, whatever the values.
+    template <int dim>
+    const std::array<Moments<dim>, n_cell_simplices<dim>> &
+    of_whole_simplices()
+    {
+      static const auto result = []() {
+        std::array<Moments<dim>, n_cell_simplices<dim>> moments;
+        const auto simplices = cell_simplices<dim>(VertexValues<dim>());
+        for (unsigned int s = 0; s < moments.size(); ++s)
+          moments[s] = of_simplex<dim>(simplices[s].vertices);
+        return moments;
+      }();
+      return result;
+    }
+
+    /// A simplex whose function changes its sign; vertices inside come first.
+    template <int dim>
+    struct DividedSimplex
+    {
+      DividedSimplex(const CellSimplex<dim> &s)
+        : simplex(s)
+      {
+        unsigned int n_outside = 0;
+        for (unsigned int v = 0; v <= dim; ++v)
+          if (simplex.values[v] < 0.)
+            order[n_inside++] = v;
+          else
+            order[dim - n_outside++] = v;
+      }
+
+      const Point<dim> &
+      vertex(const unsigned int i) const
+      {
+        return simplex.vertices[order[i]];
+      }
+
+      /// Where the function vanishes between two vertices.
+      Point<dim>
+      zero(const unsigned int inside, const unsigned int outside) const
+      {
+        const double a = simplex.values[order[inside]],
+                     b = simplex.values[order[outside]];
+        return vertex(inside) +
+               a / (a - b) * (vertex(outside) - vertex(inside));
+      }
+
+      /// The only vertex inside and the zeros next to it.
+      Simplex<dim>
+      corner() const
+      {
+        Simplex<dim> result;
+        result[0] = vertex(0);
+        for (unsigned int k = 1; k <= dim; ++k)
+          result[k] = zero(0, k);
+        return result;
+      }
+
+      /// With more than one vertex inside that part is a prism: its end at the
+      /// vertices inside, or at the first of two (3D) ...
+      std::array<Point<dim>, dim>
+      lower_end() const
+      {
+        if constexpr (dim == 3)
+          if (n_inside < dim)
+            return {{vertex(0), zero(0, dim - 1), zero(0, dim)}};
+        std::array<Point<dim>, dim> result;
+        for (unsigned int v = 0; v < dim; ++v)
+          result[v] = vertex(v);
+        return result;
+      }
+
+      /// ... and the one opposite to it.
+      std::array<Point<dim>, dim>
+      upper_end() const
+      {
+        if constexpr (dim == 3)
+          if (n_inside < dim)
+            return {{vertex(1), zero(1, dim - 1), zero(1, dim)}};
+        std::array<Point<dim>, dim> result;
+        for (unsigned int v = 0; v < dim; ++v)
+          result[v] = zero(v, dim);
+        return result;
+      }
+
+      const CellSimplex<dim>           &simplex;
+      std::array<unsigned int, dim + 1> order;
+      unsigned int                      n_inside = 0;
+    };
+
+    /// The root in closed form; rounding may leave @p square slightly
+    /// indefinite.
+    SymmetricTensor<2, 2>
+    symmetric_root(const SymmetricTensor<2, 2> &square)
+    {
+      const double root = std::sqrt(std::max(0., determinant(square)));
+      const double sum  = std::sqrt(std::max(0., trace(square) + 2. * root));
+      if (sum == 0.)
+        return SymmetricTensor<2, 2>();
+      return (square + root * unit_symmetric_tensor<2>()) / sum;
+    }
+
+    /// The same in 3D (Franca 1989): the largest eigenvalue gives the
+    /// invariants of the root, those the root by its characteristic equation.
+    SymmetricTensor<2, 3>
+    symmetric_root(const SymmetricTensor<2, 3> &square)
+    {
+      const double I = trace(square), II = second_invariant(square),
+                   III = std::max(0., determinant(square));
+      if (!(I > 0.))
+        return SymmetricTensor<2, 3>();
+      const double k = std::max(0., I * I - 3. * II);
+      const double angle =
+        k > 0. ? std::acos(std::clamp((I * (I * I - 4.5 * II) + 13.5 * III) /
+                                        (k * std::sqrt(k)),
+                                      -1.,
+                                      1.)) :
+                 0.;
+      const double largest = std::sqrt(
+        std::max(0., (I + 2. * std::sqrt(k) * std::cos(angle / 3.)) / 3.));
+      const double product = std::sqrt(III);
+      const double sum =
+        largest +
+        std::sqrt(std::max(0., I - largest * largest + 2. * product / largest));
+      const double       pairs = 0.5 * (sum * sum - I);
+      const Tensor<2, 3> full(square);
+      const double       scale = sum * pairs - product;
+      if (scale <= needle * sum * sum * sum)
+        return square / sum; // of rank one
+      return (sum * product * unit_symmetric_tensor<3>() +
+              (sum * sum - pairs) * square - symmetrize(full * full)) /
+             scale;
+    }
+  } // namespace
+
   template <int dim>
   CutCell<dim>::CutCell(const VertexValues<dim> &values)
   {
-    const bool any = std::any_of(values.begin(), values.end(), [](double v) {
-      return v < 0.;
-    });
-    const bool all = std::all_of(values.begin(), values.end(), [](double v) {
-      return v < 0.;
-    });
-    if (all)
+    const auto is_inside = [](const double value) { return value < 0.; };
+    const auto n_inside =
+      std::count_if(values.begin(), values.end(), is_inside);
+    if (n_inside == n_vertices)
+      part = of_unit_cell<dim>();
+    else if (n_inside > 0)
       {
-        sum = 1.;
-        for (unsigned int d = 0; d < dim; ++d)
-          {
-            first[d] = 0.5;
-            for (unsigned int e = 0; e <= d; ++e)
-              second[d][e] = d == e ? 1. / 3. : 1. / 4.;
-          }
+        const auto simplices = cell_simplices<dim>(values);
+        for (unsigned int s = 0; s < simplices.size(); ++s)
+          add_inside(simplices[s], of_whole_simplices<dim>()[s]);
       }
-    else if (any)
-      for (const CellSimplex<dim> &simplex : cell_simplices<dim>(values))
-        add_negative(simplex);
   }
 
   template <int dim>
   void
-  CutCell<dim>::add_negative(const CellSimplex<dim> &simplex)
+  CutCell<dim>::add_inside(const CellSimplex<dim> &simplex,
+                           const Moments<dim>     &whole)
   {
-    const auto &values = simplex.values;
-    const auto  inside =
-      std::min_element(values.begin(), values.end()) - values.begin();
-    const auto outside =
-      std::max_element(values.begin(), values.end()) - values.begin();
-    if (values[inside] >= 0.)
+    const DividedSimplex<dim> divided(simplex);
+    if (divided.n_inside == 0)
       return;
-    if (values[outside] <= 0.)
-      {
-        add(simplex);
-        return;
-      }
-    // divided in two where the function vanishes on this edge
-    const double     t = values[inside] / (values[inside] - values[outside]);
-    const Point<dim> x =
-      simplex.vertices[inside] +
-      t * (simplex.vertices[outside] - simplex.vertices[inside]);
-    for (const auto replaced : {outside, inside})
-      {
-        CellSimplex<dim> part   = simplex;
-        part.vertices[replaced] = x;
-        part.values[replaced]   = 0.;
-        add_negative(part);
-      }
+    if (divided.n_inside == dim + 1)
+      part.add(whole);
+    else if (divided.n_inside == 1)
+      part.add(of_simplex<dim>(divided.corner()));
+    else
+      add_prism(divided.lower_end(), divided.upper_end());
   }
 
   template <int dim>
   void
-  CutCell<dim>::add(const CellSimplex<dim> &simplex)
+  CutCell<dim>::add_prism(const std::array<Point<dim>, dim> &lower,
+                          const std::array<Point<dim>, dim> &upper)
   {
-    Tensor<2, dim> edges;
-    Tensor<1, dim> total = simplex.vertices[0] - Point<dim>();
     for (unsigned int i = 0; i < dim; ++i)
       {
-        edges[i] = simplex.vertices[i + 1] - simplex.vertices[0];
-        total += simplex.vertices[i + 1] - Point<dim>();
+        Simplex<dim> simplex; // from vertex i of one end to i of the other
+        std::copy(lower.begin() + i, lower.end(), simplex.begin());
+        std::copy_n(upper.begin(), i + 1, simplex.begin() + dim - i);
+        part.add(of_simplex<dim>(simplex));
       }
-    const double volume = std::abs(determinant(edges)) / (dim == 2 ? 2. : 6.);
-    SymmetricTensor<2, dim> products;
-    for (unsigned int d = 0; d < dim; ++d)
-      for (unsigned int e = 0; e <= d; ++e)
-        {
-          double sum_of_vertices = total[d] * total[e];
-          for (const Point<dim> &x : simplex.vertices)
-            sum_of_vertices += x[d] * x[e];
-          products[d][e] = sum_of_vertices;
-        }
-    sum += volume;
-    first += volume / (dim + 1) * total;
-    second += volume / ((dim + 1) * (dim + 2)) * products;
   }
 
   template <int dim>
   std::array<Point<dim>, CutCell<dim>::n_vertices>
   CutCell<dim>::points() const
   {
-    const Tensor<1, dim>    centre   = first / sum;
-    SymmetricTensor<2, dim> variance = second / sum;
+    const Tensor<1, dim>    centre   = part.first / part.volume;
+    SymmetricTensor<2, dim> variance = part.second / part.volume;
     for (unsigned int d = 0; d < dim; ++d)
       for (unsigned int e = 0; e <= d; ++e)
         variance[d][e] -= centre[d] * centre[e];
-    // the symmetric root: no axis comes first
-    SymmetricTensor<2, dim> root;
-    for (const auto &[value, direction] :
-         eigenvectors(variance, SymmetricTensorEigenvectorMethod::jacobi))
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int e = 0; e <= d; ++e)
-          root[d][e] +=
-            std::sqrt(std::max(0., value)) * direction[d] * direction[e];
+    const SymmetricTensor<2, dim>      root = symmetric_root(variance);
     std::array<Point<dim>, n_vertices> result;
     for (unsigned int v = 0; v < n_vertices; ++v)
       {

@@ -8,6 +8,23 @@
 
 namespace seiche
 {
+  /// Integrals of 1, x and x x^T over a part of the unit cell.
+  template <int dim>
+  struct Moments
+  {
+    double                          volume = 0.;
+    dealii::Tensor<1, dim>          first;
+    dealii::SymmetricTensor<2, dim> second;
+
+    void
+    add(const Moments &other)
+    {
+      volume += other.volume;
+      first += other.first;
+      second += other.second;
+    }
+  };
+
   /**
    * @brief The part of the unit cell where a multilinear function is negative:
    * its volume, centre and second moments, and a quadrature rule that has them
@@ -29,7 +46,7 @@ namespace seiche
     double
     volume() const
     {
-      return sum;
+      return part.volume;
     }
 
     /// Points of equal weight volume()/n_vertices, inside it or up to 0.02
@@ -40,16 +57,16 @@ namespace seiche
     points() const;
 
   private:
-    /// The part of a simplex where its function is negative.
+    /// Add the part of a simplex where its function is negative.
     void
-    add_negative(const CellSimplex<dim> &simplex);
+    add_inside(const CellSimplex<dim> &simplex, const Moments<dim> &whole);
 
+    /// Add what lies between two triangles, or edges in 2D.
     void
-    add(const CellSimplex<dim> &simplex);
+    add_prism(const std::array<dealii::Point<dim>, dim> &lower,
+              const std::array<dealii::Point<dim>, dim> &upper);
 
-    double                          sum = 0.;
-    dealii::Tensor<1, dim>          first;  ///< integral of x
-    dealii::SymmetricTensor<2, dim> second; ///< integral of x x^T
+    Moments<dim> part;
   };
 } // namespace seiche
 
