@@ -36,8 +36,8 @@ namespace seiche
   void
   BlockMatrix<dim>::set_zero()
   {
-    std::fill(displacement_columns.begin(), displacement_columns.end(), 0.);
-    std::fill(pressure_column.begin(), pressure_column.end(), 0.);
+    std::fill(displacement_columns.begin(), displacement_columns.end(), 0.f);
+    std::fill(pressure_column.begin(), pressure_column.end(), 0.f);
   }
 
   template <int dim>
@@ -52,7 +52,7 @@ namespace seiche
       for (unsigned int i = 0; i < dim; ++i)
         mean += diagonal(direction.node, i) / dim;
       const Tensor<1, dim> normal = direction.unit_vector();
-      double              *block =
+      float               *block =
         &displacement_columns[pattern.diagonal_of(direction.node) * dim * n];
       for (unsigned int j = 0; j < dim; ++j, block += n)
         for (unsigned int i = 0; i < dim; ++i)
@@ -103,7 +103,7 @@ namespace seiche
         const std::size_t entry    = pattern.diagonal_of(node);
         unsigned int      replaced = 0;
         for (unsigned int i = 0; i < dim; ++i)
-          if (double &d = displacement_columns[(entry * dim + i) * n + i];
+          if (float &d = displacement_columns[(entry * dim + i) * n + i];
               d == 0.)
             {
               d = largest[0];
@@ -121,7 +121,7 @@ namespace seiche
           return true;
         };
         if (with_pressure)
-          if (double &d = pressure_column[entry * n + dim];
+          if (float &d = pressure_column[entry * n + dim];
               d == 0. && volume_row_is_zero())
             {
               d = largest[1];
@@ -184,7 +184,7 @@ namespace seiche
                  ++k)
               {
                 const double *source_node = x + pattern.column_of(k) * n_rows;
-                const double *A = &displacement_columns[k * dim * n_rows];
+                const float  *A = &displacement_columns[k * dim * n_rows];
                 for (unsigned int j = 0; j < dim; ++j)
                   parts[j] += Lanes::load(A + j * n_rows) * source_node[j];
                 if constexpr (n_rows > dim)

@@ -10,11 +10,11 @@ namespace seiche
   {
     /// Ask for @p k numbers that will be changed.
     void
-    fetch(const double *from, const unsigned int k)
+    fetch(const float *from, const unsigned int k)
     {
       constexpr std::size_t line  = 64; // bytes
       const char *const     begin = reinterpret_cast<const char *>(from);
-      const std::size_t     bytes = k * sizeof(double);
+      const std::size_t     bytes = k * sizeof(float);
       for (std::size_t i = 0; i < bytes; i += line)
         __builtin_prefetch(begin + i, /*to write=*/1);
       __builtin_prefetch(begin + bytes - 1, /*to write=*/1);
@@ -101,7 +101,7 @@ namespace seiche
       for (unsigned int b = 0; b < n_nodes; ++b)
         {
           const std::size_t entry = entries(a, b);
-          double           *to    = &displacement_columns[entry * dim * n];
+          float            *to    = &displacement_columns[entry * dim * n];
           for (unsigned int j = 0; j < dim; ++j, to += n)
             {
               for (unsigned int i = 0; i < dim; ++i)
@@ -130,7 +130,7 @@ namespace seiche
     const std::size_t  n = n_fields(), e = entry;
     const unsigned int fixed = occupancy.constraints.fixed_components(row) |
                                occupancy.constraints.fixed_components(column);
-    double *to = &displacement_columns[e * dim * n];
+    float *to = &displacement_columns[e * dim * n];
     if (fixed & (1u << dim))
       add_projected(row, column, displacement, to);
     else
@@ -146,7 +146,7 @@ namespace seiche
   BlockMatrix<dim>::add_projected(const unsigned int row,
                                   const unsigned int column,
                                   const double       value,
-                                  double            *block) const
+                                  float             *block) const
   {
     const Tensor<2, dim> product = occupancy.constraints.projector(row) *
                                    occupancy.constraints.projector(column);

@@ -152,20 +152,20 @@ namespace seiche
 
   template <int dim>
   void
-  NodePattern<dim>::add_to_owners(std::vector<double> &values,
-                                  const unsigned int   size) const
+  NodePattern<dim>::add_to_owners(std::vector<float> &values,
+                                  const unsigned int  size) const
   {
     const MPI_Comm communicator =
       occupancy.nodes.partitioner()->get_mpi_communicator();
-    std::vector<MPI_Request>         requests;
-    std::vector<std::vector<double>> buffers;
+    std::vector<MPI_Request>        requests;
+    std::vector<std::vector<float>> buffers;
     for (const Exchange &exchange : received)
       {
         buffers.emplace_back(exchange.entries.size() * size);
         requests.emplace_back();
         AssertThrowMPI(MPI_Irecv(buffers.back().data(),
                                  buffers.back().size(),
-                                 MPI_DOUBLE,
+                                 MPI_FLOAT,
                                  exchange.rank,
                                  exchange_tag,
                                  communicator,
@@ -177,7 +177,7 @@ namespace seiche
         AssertThrowMPI(
           MPI_Isend(values.data() + std::size_t(exchange.begin) * size,
                     (exchange.end - exchange.begin) * size,
-                    MPI_DOUBLE,
+                    MPI_FLOAT,
                     exchange.rank,
                     exchange_tag,
                     communicator,
@@ -188,7 +188,7 @@ namespace seiche
     // in the order of ranks, so that sums do not depend on arrival
     for (unsigned int r = 0; r < received.size(); ++r)
       {
-        const double *value = buffers[r].data();
+        const float *value = buffers[r].data();
         for (const unsigned int entry : received[r].entries)
           for (unsigned int i = 0; i < size; ++i)
             values[std::size_t(entry) * size + i] += *value++;
@@ -200,9 +200,7 @@ namespace seiche
   template void
   NodePattern<3>::exchange_couplings();
   template void
-  NodePattern<2>::add_to_owners(std::vector<double> &,
-                                const unsigned int) const;
+  NodePattern<2>::add_to_owners(std::vector<float> &, const unsigned int) const;
   template void
-  NodePattern<3>::add_to_owners(std::vector<double> &,
-                                const unsigned int) const;
+  NodePattern<3>::add_to_owners(std::vector<float> &, const unsigned int) const;
 } // namespace seiche

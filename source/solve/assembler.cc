@@ -172,9 +172,9 @@ namespace seiche
   Assembler<dim>::add_tangent(const GridState<dim> &state,
                               BlockMatrix<dim>     &matrix)
   {
-    // The matrices of full cells at rest are equal for equal cells: those of
-    // the last one stay in the workspace.
-    const bool                                at_rest = is_at_rest(state);
+    // where matrices of equal cells are equal those of the last one stay in
+    // the workspace
+    const bool                                uniform = tangents_are_uniform();
     std::array<CellGeometry<dim>, max_degree> last_geometries;
     const auto add_cell = [&](const unsigned int cell, const auto degree) {
       CellData<dim, degree> &data = std::get<degree - 1>(workspace);
@@ -184,7 +184,7 @@ namespace seiche
         unknowns.matrix != nullptr || unknowns.zeros != nullptr;
       const bool oblique = occupancy.constraints.any_oblique(unknowns);
       const bool reusable =
-        at_rest && !condensed && !oblique && fill.is_full(cell);
+        uniform && !condensed && !oblique && fill.is_full(cell);
       matrix.prefetch_cell(cell);
       if (!reusable ||
           !occupancy.locator.cells.geometry(cell).is_congruent(last))
@@ -205,14 +205,10 @@ namespace seiche
 
   template <int dim>
   bool
-  Assembler<dim>::is_at_rest(const GridState<dim> &state) const
+  Assembler<dim>::tangents_are_uniform() const
   {
-    const Vector &u = state.displacement();
     return weak_form == formulation.projection.get() && !needs_start_speed &&
-           !materials.are_several() &&
-           std::all_of(u.begin(), u.end(), [](const double value) {
-             return value == 0.;
-           });
+           !materials.are_several();
   }
 
   template <int dim>

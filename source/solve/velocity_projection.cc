@@ -10,10 +10,6 @@ namespace seiche
     /// Newmark never forgets an error of the start.
     constexpr double start_tolerance = 1e-8;
 
-    /// Share of the solution at which the derivative of reactions is taken:
-    /// their error is about its square, round-off over it.
-    constexpr double reaction_share = 1e-5;
-
     /// Of forces and volumes at work: what is less is no violation.
     constexpr double round_off = 1e-14;
   } // namespace
@@ -28,9 +24,17 @@ namespace seiche
   template <int dim>
   bool
   VelocityProjection<dim>::is_round_off(const BlockVector    &violation,
-                                        const double          forces,
+                                        const Vector         &inertia_offset,
                                         const GridState<dim> &state) const
   {
+    double square = 0.; // of the forces whose difference the rows are
+    for (unsigned int i = 0; i < state.mass.locally_owned_size(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        square += std::pow(state.mass.local_element(i) *
+                             inertia_offset.local_element(dim * i + c),
+                           2);
+    const double forces =
+      std::sqrt(Utilities::MPI::sum(square, state.mass.get_mpi_communicator()));
     const double volumes =
       state.mass.l2_norm() / system.assembler.materials.largest().density;
     return violation.block(0).l2_norm() <= round_off * forces &&
@@ -48,36 +52,24 @@ namespace seiche
                                  BlockVector            &solution,
                                  const double            reduction)
   {
-    // what walls prescribe is part of the residual, the rest is solved for
-    state.solution = 0.;
     state.solution.zero_out_ghost_values();
-    system.matrix.occupancy.constraints.for_each_fixed(
-      [&](const auto &direction) {
-        direction.set(state.displacement(), direction.of(solution.block(0)));
-        direction.set(solution.block(0), 0.);
-      });
+    state.solution = solution;
     state.solution.update_ghost_values();
     system.assembler.begin(
       weak_form, coefficients, state, inertia_offset, rate_offset);
-    BlockVector right_hand_side(state.solution), product(state.solution);
-    right_hand_side.zero_out_ghost_values();
-    system.assembler.residual(state, right_hand_side);
+    BlockVector violation(state.solution);
+    violation.zero_out_ghost_values();
+    system.assembler.residual(state, violation);
     system.linearize(state);
-    system.matrix.vmult(product, solution);
-    const double forces = right_hand_side.block(0).l2_norm();
-    right_hand_side.sadd(-1., -1., product);
+    violation *= -1.;
     LinearResult result;
-    result.converged = is_round_off(right_hand_side, forces, state);
+    result.converged = is_round_off(violation, inertia_offset, state);
     if (!result.converged)
       {
         BlockVector update(state.solution);
-        result = system.solver.solve(update, right_hand_side, reduction);
+        result = system.solver.solve(update, violation, reduction);
         solution += update;
       }
-    system.matrix.occupancy.constraints.for_each_fixed(
-      [&](const auto &direction) {
-        direction.set(solution.block(0), direction.of(state.displacement()));
-      });
     return result;
   }
 
@@ -86,15 +78,12 @@ namespace seiche
   VelocityProjection<dim>::find_reactions(GridState<dim>    &state,
                                           const BlockVector &solution)
   {
-    // rows of fixed components are not in the matrix
     BlockVector residual(state.solution);
     residual.zero_out_ghost_values();
-    const Vector start(state.reaction); // of solve()
     state.solution.zero_out_ghost_values();
-    state.solution.sadd(1. - reaction_share, reaction_share, solution);
+    state.solution = solution;
     state.solution.update_ghost_values();
     system.assembler.residual(state, residual);
-    state.reaction.sadd(1. / reaction_share, 1. - 1. / reaction_share, start);
   }
 
   template <int dim>

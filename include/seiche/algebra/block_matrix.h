@@ -20,9 +20,10 @@ namespace seiche
    * [row field], and, in a second array, the column of the pressure: a product
    * reads each once and fills the vector registers with the rows, and the
    * product with G alone reads a quarter. Rows of nodes away from the fluid are
-   * multiples of identity and cost nothing. (Four Epetra matrices would hold an
-   * index for each number, and on several ranks every block twice, as assembled
-   * and as owned rows.)
+   * multiples of identity and cost nothing. Numbers are single: products are
+   * bound by memory, and all who solve correct by residuals in double
+   * precision. (Four Epetra matrices would hold an index for each number, and
+   * on several ranks every block twice, as assembled and as owned rows.)
    */
   template <int dim>
   class BlockMatrix
@@ -143,7 +144,7 @@ namespace seiche
     add_projected(const unsigned int row,
                   const unsigned int column,
                   const double       value,
-                  double            *block) const;
+                  float             *block) const;
 
     /// The rows of oblique directions are empty: n n^T times the mean diagonal
     /// of the node.
@@ -158,12 +159,12 @@ namespace seiche
     void
     multiply(BlockVector &dst) const;
 
-    NodePattern<dim>    pattern;
-    const bool          with_pressure;
-    unsigned int        pattern_generation = 0;
-    std::vector<double> displacement_columns; // [entry][component][row field]
-    std::vector<double> pressure_column;      // [entry][row field]
-    std::vector<char>   empty;                // [own node]
+    NodePattern<dim>   pattern;
+    const bool         with_pressure;
+    unsigned int       pattern_generation = 0;
+    std::vector<float> displacement_columns; // [entry][component][row field]
+    std::vector<float> pressure_column;      // [entry][row field]
+    std::vector<char>  empty;                // [own node]
     // source of a product with its ghost columns, all fields and pressure
     mutable Vector source, pressure_source;
   };

@@ -106,7 +106,7 @@ namespace seiche
 
     /// Add ghost rows, @p size numbers an entry, to their owners'. Collective.
     void
-    add_to_owners(std::vector<double> &values, const unsigned int size) const;
+    add_to_owners(std::vector<float> &values, const unsigned int size) const;
 
     /// Of the elements that couple across the face: the higher one.
     unsigned int

@@ -23,35 +23,42 @@ namespace seiche
     using Shape = typename Base::Shape;
 
     alignas(64) Lanes gradient_t[dim][n_nodes]; ///< [1/m]
-    alignas(64) Lanes gradient_1[dim][n_nodes]; ///< [1/m], if asked for
-    Lanes det_t = 1., det_1 = 1.;
+    Lanes                         det_t = 1.;
+    dealii::Tensor<2, dim, Lanes> H; ///< grad_n u [-]
+
+    /// [1/m], if asked for with evaluate_gradient_1().
+    alignas(64) Lanes gradient_1[dim][n_nodes];
 
     /// Second derivatives of N in configuration t [1/m^2], if asked for with
     /// evaluate_second_derivatives().
     alignas(64) Lanes second[degree > 1 ? dim : 1][degree > 1 ? dim : 1]
                             [degree > 1 ? n_nodes : 1];
 
-    /// Evaluate at quadrature point q of the cell; gradient_1 only if
-    /// @p with_end (tangents need it).
+    /// Evaluate at quadrature point q of the cell.
     void
-    evaluate(const CellData<dim, degree> &cell,
-             const unsigned int           q,
-             const bool                   with_end)
+    evaluate(const CellData<dim, degree> &cell, const unsigned int q)
     {
       const auto unit = cell.quadrature.template point<Lanes>(q);
       this->reinit(cell.geometry, unit);
       this->add_weights(unit);
-      const dealii::Tensor<2, dim, Lanes> H     = gradient(cell.displacement);
-      const double                        theta = cell.coefficients.theta;
-
-      const auto f_t = identity_plus<dim, Lanes>(theta * H),
-                 f_1 = identity_plus<dim, Lanes>(H);
+      H              = gradient(cell.displacement);
+      const auto f_t = identity_plus<dim, Lanes>(cell.coefficients.theta * H);
       det_t          = dealii::determinant(f_t);
-      det_1          = dealii::determinant(f_1);
       inverse_t      = dealii::invert(f_t);
       push_forward(inverse_t, gradient_t);
-      if (with_end)
-        push_forward(dealii::invert(f_1), gradient_1);
+    }
+
+    /// det f_1
+    Lanes
+    det_1() const
+    {
+      return dealii::determinant(identity_plus<dim, Lanes>(H));
+    }
+
+    void
+    evaluate_gradient_1()
+    {
+      push_forward(dealii::invert(identity_plus<dim, Lanes>(H)), gradient_1);
     }
 
     /**

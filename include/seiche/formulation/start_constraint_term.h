@@ -10,7 +10,7 @@ namespace seiche
    * @brief V0 q g, the constraint of what a step starts with, whatever volume
    * ratio points have:
    *
-   *     g = phi(det f) + p/kappa - factor dt^2 tr(l l),
+   *     g = div u + p/kappa - factor dt^2 tr(l l),
    *
    * with factor dt from u = dt v_0 the divergence of v_0 (doc/theory.md
    * (3.3a)), with one from u = dt^2 a_0 that of a_0 (3.6); l = grad v_0 does
@@ -43,12 +43,22 @@ namespace seiche
     void
     evaluate(PointState<dim, degree> &state) const
     {
-      VolumeConstraintTerm::evaluate(state);
+      state.g +=
+        trace(state.point.H) + state.pressure * (1. / law.bulk_modulus);
       if (factor == 0.)
         return;
       const double dt = state.cell.coefficients.dt;
       const auto  &l  = state.velocity_gradient;
       state.g -= factor * dt * dt * trace(l * l);
+    }
+
+    template <int dim, int degree>
+    void
+    linearize(PointState<dim, degree> &state) const
+    {
+      for (unsigned int k = 0; k < dim; ++k)
+        for (unsigned int b = 0; b < state.n_nodes; ++b)
+          state.g_slope[k][b] = state.point.gradient_n[k][b];
     }
   };
 } // namespace seiche

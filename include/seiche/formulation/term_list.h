@@ -64,7 +64,6 @@ namespace seiche
     template <int degree, typename Action>
     void
     for_each_batch(const CellData<dim, degree> &cell,
-                   const bool                   with_end,
                    const Action                &action) const
     {
       bool needs_gradient = false;
@@ -75,7 +74,7 @@ namespace seiche
       cell.quadrature.for_each_batch([&](const unsigned int q,
                                          const unsigned int n_points,
                                          const Material    &material) {
-        point.evaluate(cell, q, with_end);
+        point.evaluate(cell, q);
         Lanes volume_ratio = 1.;
         for_each([&](const auto &term) {
           volume_ratio *= term.volume_ratio(cell, q);
@@ -99,14 +98,13 @@ namespace seiche
     sum_residual(CellData<dim, degree> &cell) const
     {
       NodalSums<dim, degree> sums;
-      for_each_batch(
-        cell, /*with_end=*/false, [&](const PointState<dim, degree> &state) {
-          PointForces<dim> forces;
-          for_each([&](const auto &term) { term.add_residual(state, forces); });
-          sums.template add<has_pressure>(state.point, forces);
-          for_each(
-            [&](const auto &term) { term.add_nodal_residual(state, sums); });
-        });
+      for_each_batch(cell, [&](const PointState<dim, degree> &state) {
+        PointForces<dim> forces;
+        for_each([&](const auto &term) { term.add_residual(state, forces); });
+        sums.template add<has_pressure>(state.point, forces);
+        for_each(
+          [&](const auto &term) { term.add_nodal_residual(state, sums); });
+      });
       sums.template store<has_pressure>(cell);
       for_each([&](const auto &term) { term.add_cell_residual(cell); });
     }
@@ -116,16 +114,15 @@ namespace seiche
     sum_tangent(CellData<dim, degree> &cell) const
     {
       cell.clear();
-      for_each_batch(
-        cell, /*with_end=*/true, [&](PointState<dim, degree> &state) {
-          for_each([&](const auto &term) { term.linearize(state); });
-          TangentSums<dim, degree> sums;
-          for_each(
-            [&](const auto &term) { term.add_tangent(state, sums, cell); });
-          sums.add_to_displacement(state, cell);
-          if constexpr (has_pressure)
-            sums.add_to_pressure(state, cell);
-        });
+      for_each_batch(cell, [&](PointState<dim, degree> &state) {
+        for_each([&](const auto &term) { term.linearize(state); });
+        TangentSums<dim, degree> sums;
+        for_each(
+          [&](const auto &term) { term.add_tangent(state, sums, cell); });
+        sums.add_to_displacement(state, cell);
+        if constexpr (has_pressure)
+          sums.add_to_pressure(state, cell);
+      });
       for_each([&](const auto &term) { term.add_cell_tangent(cell); });
     }
 

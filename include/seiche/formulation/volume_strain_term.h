@@ -32,6 +32,7 @@ namespace seiche
     void
     linearize(PointState<dim, degree> &state) const
     {
+      state.point.evaluate_gradient_1();
       for (unsigned int k = 0; k < dim; ++k)
         for (unsigned int b = 0; b < state.n_nodes; ++b)
           state.g_slope[k][b] =
@@ -47,7 +48,7 @@ namespace seiche
       const VolumeStrain<Lanes> strain(law,
                                        elastic_time,
                                        state.J_n,
-                                       state.point.det_1 * state.J_n);
+                                       state.point.det_1() * state.J_n);
       state.strain_slope = strain.slope;
       return strain.value;
     }

@@ -170,9 +170,9 @@ namespace seiche
       const double (&start_velocity)[dim][CellData<dim, degree>::n_nodes]);
 
     /// True if the tangent of a cell full of Gauss points depends on nothing
-    /// but its extents: the projection of the start velocity. Local.
+    /// but its extents: the projection of the start velocity, which is linear.
     bool
-    is_at_rest(const GridState<dim> &state) const;
+    tangents_are_uniform() const;
 
     /// action(cell, degree) on each occupied cell.
     template <typename Action>

@@ -52,16 +52,14 @@ namespace seiche
     using Vector      = typename GridState<dim>::Vector;
     using BlockVector = typename GridState<dim>::BlockVector;
 
-    /// True if there is nothing to solve for; @p forces: norm of what the
-    /// momentum's rows are the difference of [N].
+    /// True if there is nothing to solve for.
     bool
     is_round_off(const BlockVector    &violation,
-                 const double          forces,
+                 const Vector         &inertia_offset,
                  const GridState<dim> &state) const;
 
-    /// Solve the system that is linear about u = p = 0, starting from
-    /// @p solution, until the residual has fallen by @p reduction. Components
-    /// that walls fix keep their value.
+    /// Solve the linear system, starting from @p solution, until the residual
+    /// has fallen by @p reduction. Components that walls fix keep their value.
     LinearResult
     solve(const WeakForm<dim>    &weak_form,
           GridState<dim>         &state,
@@ -71,8 +69,7 @@ namespace seiche
           BlockVector            &solution,
           const double            reduction);
 
-    /// state.reaction of the system that solve() has just solved, linear about
-    /// where it began (state.solution).
+    /// state.reaction of the system that solve() has just solved.
     void
     find_reactions(GridState<dim> &state, const BlockVector &solution);
 
