@@ -208,6 +208,7 @@ namespace seiche
   Assembler<dim>::tangents_are_uniform() const
   {
     return weak_form == formulation.projection.get() && !needs_start_speed &&
+           formulation.volume_law.is_incompressible() &&
            !materials.are_several();
   }
 
