@@ -132,10 +132,10 @@ namespace seiche
       static Columns<dim>
       of_entry(const BlockMatrix<dim> &matrix, const unsigned int entry)
       {
-        Columns<dim> block = {};
+        // rows beyond those of the displacement mean nothing
+        Columns<dim> block;
         for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int r = 0; r < dim; ++r)
-            block.column[c][r] = matrix.value(entry, r, c);
+          block.column[c] = Columns<dim>::Lanes::load(matrix.column(entry, c));
         return block;
       }
 

@@ -101,24 +101,58 @@ namespace seiche
   Assembler<dim>::residual(GridState<dim> &state, BlockVector &residual)
   {
     const TimerTree::Scope scope(timer, "residual");
+    sum_residual(state, residual, [](const auto &) { return true; });
+    if (const auto *closed = closed_chambers())
+      closed->balance_rows(residual.block(1), state.mass);
+    if (is_injected(Fault::residual) && residual.block(0).locally_owned_size())
+      residual.block(0).local_element(0) =
+        std::numeric_limits<double>::quiet_NaN();
+  }
+
+  template <int dim>
+  void
+  Assembler<dim>::reactions(GridState<dim> &state)
+  {
+    const TimerTree::Scope scope(timer, "residual");
+    BlockVector            residual(state.solution);
+    residual.zero_out_ghost_values();
+    sum_residual(state, residual, [this](const auto &unknowns) {
+      return unknowns.zeros != nullptr ||
+             occupancy.constraints.any_fixed(unknowns) != 0;
+    });
+  }
+
+  template <int dim>
+  template <typename IsWanted>
+  void
+  Assembler<dim>::sum_residual(GridState<dim> &state,
+                               BlockVector    &residual,
+                               const IsWanted &is_wanted)
+  {
     residual       = 0.;
     state.reaction = 0.; // components may have been released
     state.reaction.zero_out_ghost_values();
-    add_residual(state, residual);
+    for_each_cell([&](const unsigned int cell, const auto degree) {
+      const auto nodes = occupancy.template unknowns<degree>(cell);
+      if (!is_wanted(nodes))
+        return;
+      CellData<dim, degree> &data = this->template gather<degree>(cell, state);
+      weak_form->residual(data);
+      nodes.add_to_zeros(data.residual_u, state.reaction.begin());
+      nodes.add(data.residual_u, residual.block(0).begin());
+      if (formulation.has_pressure())
+        nodes.add(data.residual_p, residual.block(1).begin());
+    });
+    ghost_penalty.add_residual(
+      step, *inertia_offset, *rate_offset, state.solution, residual);
     residual.compress(VectorOperation::add);
     state.reaction.compress(VectorOperation::add);
-    if (const auto *closed = closed_chambers())
-      closed->balance_rows(residual.block(1), state.mass);
-
     occupancy.constraints.for_each_fixed([&](const auto &direction) {
       direction.set(state.reaction,
                     direction.of(state.reaction) +
                       direction.of(residual.block(0)));
       direction.set(residual.block(0), 0.);
     });
-    if (is_injected(Fault::residual) && residual.block(0).locally_owned_size())
-      residual.block(0).local_element(0) =
-        std::numeric_limits<double>::quiet_NaN();
   }
 
   template <int dim>
@@ -136,25 +170,6 @@ namespace seiche
         nodes.add(data.residual_p, sums.block(1).begin());
       });
     sums.compress(VectorOperation::add);
-  }
-
-  template <int dim>
-  void
-  Assembler<dim>::add_residual(GridState<dim> &state, BlockVector &residual)
-  {
-    const bool mixed    = formulation.has_pressure();
-    const auto add_cell = [&](const unsigned int cell, const auto degree) {
-      CellData<dim, degree> &data = this->template gather<degree>(cell, state);
-      weak_form->residual(data);
-      const auto nodes = occupancy.template unknowns<degree>(cell);
-      nodes.add_to_zeros(data.residual_u, state.reaction.begin());
-      nodes.add(data.residual_u, residual.block(0).begin());
-      if (mixed)
-        nodes.add(data.residual_p, residual.block(1).begin());
-    };
-    for_each_cell(add_cell);
-    ghost_penalty.add_residual(
-      step, *inertia_offset, *rate_offset, state.solution, residual);
   }
 
   template <int dim>

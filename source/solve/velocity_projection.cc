@@ -78,12 +78,10 @@ namespace seiche
   VelocityProjection<dim>::find_reactions(GridState<dim>    &state,
                                           const BlockVector &solution)
   {
-    BlockVector residual(state.solution);
-    residual.zero_out_ghost_values();
     state.solution.zero_out_ghost_values();
     state.solution = solution;
     state.solution.update_ghost_values();
-    system.assembler.residual(state, residual);
+    system.assembler.reactions(state);
   }
 
   template <int dim>

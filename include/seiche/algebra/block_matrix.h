@@ -108,6 +108,15 @@ namespace seiche
                pressure_column[e * n + row_field];
     }
 
+    /// A column of the displacement, by row fields; one number more may be read
+    /// behind it.
+    const float *
+    column(const unsigned int entry, const unsigned int component) const
+    {
+      return &displacement_columns[(std::size_t(entry) * dim + component) *
+                                   n_fields()];
+    }
+
     /// On the diagonal of an own row.
     double
     diagonal(const unsigned int node, const unsigned int field) const

@@ -67,6 +67,10 @@ namespace seiche
     void
     residual(GridState<dim> &state, BlockVector &residual);
 
+    /// state.reaction alone, from the cells at walls. Collective.
+    void
+    reactions(GridState<dim> &state);
+
     /// Derivative of residual() (in closed chambers but for the mean that it
     /// leaves out). Collective.
     void
@@ -111,8 +115,13 @@ namespace seiche
     CellMaterials<dim> &materials;
 
   private:
+    /// residual() but for closed chambers, of the cells with
+    /// is_wanted(unknowns).
+    template <typename IsWanted>
     void
-    add_residual(GridState<dim> &state, BlockVector &residual);
+    sum_residual(GridState<dim> &state,
+                 BlockVector    &residual,
+                 const IsWanted &is_wanted);
 
     void
     add_tangent(const GridState<dim> &state, BlockMatrix<dim> &matrix);

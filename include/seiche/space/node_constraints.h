@@ -116,15 +116,23 @@ namespace seiche
       return (fixed[node] >> dim) & 1u;
     }
 
+    /// fixed_components() of all of a cell's @p nodes.
+    template <typename CellNodes>
+    unsigned int
+    any_fixed(const CellNodes &nodes) const
+    {
+      unsigned int components = 0;
+      for (unsigned int a = 0; a < nodes.n_nodes; ++a)
+        components |= fixed[nodes[a]];
+      return components;
+    }
+
     /// True if one of a cell's @p nodes is fixed along an oblique normal.
     template <typename CellNodes>
     bool
     any_oblique(const CellNodes &nodes) const
     {
-      unsigned int components = 0;
-      for (unsigned int a = 0; a < nodes.n_nodes; ++a)
-        components |= fixed[nodes[a]];
-      return (components >> dim) & 1u;
+      return (any_fixed(nodes) >> dim) & 1u;
     }
 
     /// The oblique normal of a node with bit dim: a unit vector into the fluid.
