@@ -227,8 +227,9 @@ namespace seiche
     scaled = right_hand_side;
     if (matrix->has_pressure())
       scaled.block(1) *= row_scale;
-    const double target = tolerance * scaled.l2_norm();
-    solution            = 0.;
+    const double target =
+      std::max(tolerance, finest_reduction) * scaled.l2_norm();
+    solution = 0.;
     LinearResult result;
     result.reduction = 1.;
     if (!std::isfinite(target))

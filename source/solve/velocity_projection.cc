@@ -10,6 +10,9 @@ namespace seiche
     /// Newmark never forgets an error of the start.
     constexpr double start_tolerance = 1e-8;
 
+    /// Corrections that leave more than this find nothing but round-off.
+    constexpr double stagnation = 0.5;
+
     /// Of forces and volumes at work: what is less is no violation.
     constexpr double round_off = 1e-14;
   } // namespace
@@ -52,25 +55,40 @@ namespace seiche
                                  BlockVector            &solution,
                                  const double            reduction)
   {
-    state.solution.zero_out_ghost_values();
-    state.solution = solution;
-    state.solution.update_ghost_values();
+    BlockVector violation(state.solution), update(state.solution);
+    violation.zero_out_ghost_values();
+    const auto find_violation = [&]() {
+      state.solution.zero_out_ghost_values();
+      state.solution = solution;
+      state.solution.update_ghost_values();
+      system.assembler.residual(state, violation);
+      violation *= -1.;
+    };
     system.assembler.begin(
       weak_form, coefficients, state, inertia_offset, rate_offset);
-    BlockVector violation(state.solution);
-    violation.zero_out_ghost_values();
-    system.assembler.residual(state, violation);
+    find_violation();
     system.linearize(state);
-    violation *= -1.;
     LinearResult result;
     result.converged = is_round_off(violation, inertia_offset, state);
-    if (!result.converged)
+    if (result.converged)
+      return result;
+    double       left   = system.solver.norm(violation);
+    const double target = reduction * left;
+    result              = system.solver.solve(update, violation, reduction);
+    solution += update;
+    if (!result.converged || reduction >= LinearSolver<dim>::finest_reduction)
+      return result;
+    while (true) // until round-off is left
       {
-        BlockVector update(state.solution);
-        result = system.solver.solve(update, violation, reduction);
+        const double before = left;
+        find_violation();
+        left = system.solver.norm(violation);
+        if (left <= target || left > stagnation * before)
+          return result;
+        result.iterations +=
+          system.solver.solve(update, violation, target / left).iterations;
         solution += update;
       }
-    return result;
   }
 
   template <int dim>

@@ -72,6 +72,10 @@ namespace seiche
   public:
     using BlockVector = typename BlockMatrix<dim>::BlockVector;
 
+    /// What a solve may leave of the residual: the matrix has single precision.
+    /// Who needs less goes on with the residual itself.
+    static constexpr double finest_reduction = 1e-6;
+
     LinearSolver(const LinearSolverParameters &parameters, TimerTree &timer);
 
     /// Use @p matrix, assembled with @p assembler's coefficients, for the
@@ -88,7 +92,8 @@ namespace seiche
       preconditioner.reset();
     }
 
-    /// Reduce the scaled residual by @p tolerance, from zero. A solve that
+    /// Reduce the scaled residual by @p tolerance, at most by finest_reduction,
+    /// from zero. A solve that
     /// fails with a preconditioner of an earlier matrix is repeated with a new
     /// one, then, if the solver is "automatic" and the system not large,
     /// directly. The mean of the pressure is zero in closed chambers, where
