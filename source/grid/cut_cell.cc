@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/grid/cut_cell.h>
+#include <seiche/grid/divided_simplex.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,79 +73,45 @@ namespace seiche
       return result;
     }
 
-    /// A simplex whose function changes its sign; vertices inside come first.
+    /// The only vertex inside and the zeros next to it.
     template <int dim>
-    struct DividedSimplex
+    Simplex<dim>
+    corner_inside(const DividedSimplex<dim> &divided)
     {
-      DividedSimplex(const CellSimplex<dim> &s)
-        : simplex(s)
-      {
-        unsigned int n_outside = 0;
-        for (unsigned int v = 0; v <= dim; ++v)
-          if (simplex.values[v] < 0.)
-            order[n_inside++] = v;
-          else
-            order[dim - n_outside++] = v;
-      }
+      Simplex<dim> result;
+      result[0] = divided.vertex(0);
+      for (unsigned int k = 1; k <= dim; ++k)
+        result[k] = divided.zero(0, k);
+      return result;
+    }
 
-      const Point<dim> &
-      vertex(const unsigned int i) const
-      {
-        return simplex.vertices[order[i]];
-      }
+    /// A triangle, in 2D an edge.
+    template <int dim>
+    using End = std::array<Point<dim>, dim>;
 
-      /// Where the function vanishes between two vertices.
-      Point<dim>
-      zero(const unsigned int inside, const unsigned int outside) const
-      {
-        const double a = simplex.values[order[inside]],
-                     b = simplex.values[order[outside]];
-        return vertex(inside) +
-               a / (a - b) * (vertex(outside) - vertex(inside));
-      }
-
-      /// The only vertex inside and the zeros next to it.
-      Simplex<dim>
-      corner() const
-      {
-        Simplex<dim> result;
-        result[0] = vertex(0);
-        for (unsigned int k = 1; k <= dim; ++k)
-          result[k] = zero(0, k);
-        return result;
-      }
-
-      /// With more than one vertex inside that part is a prism: its end at the
-      /// vertices inside, or at the first of two (3D) ...
-      std::array<Point<dim>, dim>
-      lower_end() const
-      {
-        if constexpr (dim == 3)
-          if (n_inside < dim)
-            return {{vertex(0), zero(0, dim - 1), zero(0, dim)}};
-        std::array<Point<dim>, dim> result;
+    /// With more vertices inside that part is a prism between two ends: at the
+    /// vertices inside and opposite to them, in 3D with two of them one at
+    /// each.
+    template <int dim>
+    std::array<End<dim>, 2>
+    prism_inside(const DividedSimplex<dim> &divided)
+    {
+      std::array<End<dim>, 2> ends;
+      if (divided.n_inside == dim)
         for (unsigned int v = 0; v < dim; ++v)
-          result[v] = vertex(v);
-        return result;
-      }
-
-      /// ... and the one opposite to it.
-      std::array<Point<dim>, dim>
-      upper_end() const
-      {
-        if constexpr (dim == 3)
-          if (n_inside < dim)
-            return {{vertex(1), zero(1, dim - 1), zero(1, dim)}};
-        std::array<Point<dim>, dim> result;
-        for (unsigned int v = 0; v < dim; ++v)
-          result[v] = zero(v, dim);
-        return result;
-      }
-
-      const CellSimplex<dim>           &simplex;
-      std::array<unsigned int, dim + 1> order;
-      unsigned int                      n_inside = 0;
-    };
+          {
+            ends[0][v] = divided.vertex(v);
+            ends[1][v] = divided.zero(v, dim);
+          }
+      else
+        for (unsigned int v = 0; v < 2; ++v)
+          {
+            ends[v][0] = divided.vertex(v);
+            for (unsigned int i = 1; i < dim; ++i)
+              ends[v][i] = divided.zero(v, i + 1);
+          }
+      return ends;
+    }
 
     /// The root in closed form; rounding may leave @p square slightly
     /// indefinite.
@@ -218,22 +185,17 @@ namespace seiche
     if (divided.n_inside == dim + 1)
       part.add(whole);
     else if (divided.n_inside == 1)
-      part.add(of_simplex<dim>(divided.corner()));
+      part.add(of_simplex<dim>(corner_inside(divided)));
     else
-      add_prism(divided.lower_end(), divided.upper_end());
-  }
-
-  template <int dim>
-  void
-  CutCell<dim>::add_prism(const std::array<Point<dim>, dim> &lower,
-                          const std::array<Point<dim>, dim> &upper)
-  {
-    for (unsigned int i = 0; i < dim; ++i)
       {
-        Simplex<dim> simplex; // from vertex i of one end to i of the other
-        std::copy(lower.begin() + i, lower.end(), simplex.begin());
-        std::copy_n(upper.begin(), i + 1, simplex.begin() + dim - i);
-        part.add(of_simplex<dim>(simplex));
+        const auto [lower, upper] = prism_inside(divided);
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            Simplex<dim> piece; // from vertex i of one end to i of the other
+            std::copy(lower.begin() + i, lower.end(), piece.begin());
+            std::copy_n(upper.begin(), i + 1, piece.begin() + dim - i);
+            part.add(of_simplex<dim>(piece));
+          }
       }
   }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/divided_simplex.h>
 #include <seiche/grid/surface_pieces.h>
 
 #include <algorithm>
@@ -13,32 +14,14 @@ namespace seiche
     /// normal says nothing.
     constexpr double negligible_area = 1e-12; // of the cell's faces
 
-    /// Where the function vanishes on the edge between two vertices of
-    /// different sign.
-    template <int dim>
-    Point<dim>
-    zero_on_edge(const CellSimplex<dim> &simplex,
-                 const unsigned int      inside,
-                 const unsigned int      outside)
-    {
-      const double t = simplex.values[inside] /
-                       (simplex.values[inside] - simplex.values[outside]);
-      return simplex.vertices[inside] +
-             t * (simplex.vertices[outside] - simplex.vertices[inside]);
-    }
-
     template <int dim>
     void
     add_pieces(const CellSimplex<dim>         &simplex,
                std::vector<SurfacePiece<dim>> &pieces)
     {
-      std::array<unsigned int, dim + 1> vertices; // inside first
-      unsigned int                      n_inside = 0, n_outside = 0;
-      for (unsigned int v = 0; v <= dim; ++v)
-        if (simplex.values[v] < 0.)
-          vertices[n_inside++] = v;
-        else
-          vertices[dim - n_outside++] = v;
+      const DividedSimplex<dim> divided(simplex);
+      const unsigned int        n_inside = divided.n_inside,
+                         n_outside       = divided.n_outside;
       if (n_inside == 0 || n_outside == 0)
         return;
 
@@ -48,8 +31,7 @@ namespace seiche
         for (unsigned int k = 0; k < n_outside; ++k)
           {
             const unsigned int o = i % 2 == 0 ? k : n_outside - 1 - k;
-            corners.push_back(
-              zero_on_edge<dim>(simplex, vertices[i], vertices[n_inside + o]));
+            corners.push_back(divided.zero(i, n_inside + o));
           }
       const Point<dim> &beyond =
         simplex.vertices[std::max_element(simplex.values.begin(),

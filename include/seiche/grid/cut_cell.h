@@ -61,11 +61,6 @@ namespace seiche
     void
     add_inside(const CellSimplex<dim> &simplex, const Moments<dim> &whole);
 
-    /// Add what lies between two triangles, or edges in 2D.
-    void
-    add_prism(const std::array<dealii::Point<dim>, dim> &lower,
-              const std::array<dealii::Point<dim>, dim> &upper);
-
     Moments<dim> part;
   };
 } // namespace seiche
