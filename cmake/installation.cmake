@@ -21,6 +21,10 @@ function(install_link target link)
 endfunction()
 
 install(TARGETS seiche RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+if(stand_ins)
+  install(TARGETS ${stand_ins} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/seiche
+    COMPONENT program NAMELINK_SKIP)
+endif()
 install(DIRECTORY prm DESTINATION ${seiche_share} COMPONENT program)
 install(FILES README.md CHANGELOG.md CITATION.cff doc/references.bib
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)

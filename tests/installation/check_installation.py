@@ -47,6 +47,28 @@ def version(_):
         require(project in (SOURCE / file).read_text(), f"{file} does not know {project}")
 
 
+def loaded(program):
+    """Name and path of each library that the loader finds for a program."""
+    return dict(re.findall(r"(lib\S+) => (\S+)", run("ldd", program)))
+
+
+def require_left_out(program, folder):
+    """Of the libraries that no scene needs the program loads empty ones, in
+    `folder`, and not what those draw in."""
+    pattern = re.compile(rf"lib({cached('SEICHE_LEAVE_OUT')})\.so")
+    libraries = loaded(program)
+    needed = loaded(next(path for name, path in libraries.items() if "deal.ii" in name))
+    for name in filter(pattern.match, libraries):
+        require(pathlib.Path(libraries[name]).resolve().parent == folder.resolve(),
+                f"{name} is {libraries[name]}")
+    without = set(needed) - set(libraries)
+    require(bool(without) == any(map(pattern.match, needed)), f"left out: {without}")
+
+
+def libraries(_):
+    require_left_out(PROGRAM, BUILD / "left_out")
+
+
 def options(_):
     """Known to --help, to the usage of a mistake and to the manual alike."""
     names = re.findall(r"^  (?:-h,)?(--[\w-]+)", run(PROGRAM, "--help"), re.M)
@@ -155,6 +177,7 @@ def install(folder):
     run("cmake", "--install", BUILD, "--prefix", prefix)
     programs = prefix / "bin"
     require(run(programs / "seiche", "--version").startswith("seiche "), "no program")
+    require_left_out(programs / "seiche", prefix / cached("CMAKE_INSTALL_LIBDIR") / "seiche")
     (folder / "dam.prm").write_text(run(programs / "seiche", "--example", "dam_break"))
     run(programs / "seiche", "dam.prm", "--set", "Time/End time = 0.1", cwd=folder)
     run(programs / "seiche-plot", "dam", cwd=folder)
