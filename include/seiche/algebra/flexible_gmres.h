@@ -2,25 +2,32 @@
 #ifndef seiche_algebra_flexible_gmres_h
 #define seiche_algebra_flexible_gmres_h
 
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/lac/la_parallel_block_vector.h>
 #include <deal.II/lac/vector_memory.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace seiche
 {
   /**
-   * @brief Restarted flexible GMRES from zero (Saad 1993) with modified
-   * Gram-Schmidt and Givens rotations.
+   * @brief Restarted flexible GMRES from zero (Saad 1993) with classical
+   * Gram-Schmidt, repeated where it has to be (Daniel, Gragg, Kaufman, Stewart
+   * 1976), and Givens rotations.
    *
-   * One product and one application of the preconditioner an iteration, none
-   * besides: dealii::SolverFGMRES (9.4) makes two products and one application
-   * more in each solve, and solves of a few iterations are the rule here.
+   * One product, one application of the preconditioner and mostly one sum over
+   * the ranks an iteration, none besides: dealii::SolverFGMRES (9.4) makes two
+   * products and one application more in each solve, and solves of a few
+   * iterations are the rule here.
    */
-  template <typename Vector>
   class FlexibleGMRES
   {
   public:
+    using Vector = dealii::LinearAlgebra::distributed::BlockVector<double>;
+
     /// Vectors of the basis before a restart.
     static constexpr unsigned int basis_size = 60;
 
@@ -71,6 +78,9 @@ namespace seiche
 
     static constexpr double round_off = 1e-14;
 
+    /// What is left of a vector, over its length: below, rounding spoils it.
+    static constexpr double repeat_below = 0.1;
+
     /// Build the basis from the residual in w until it suffices.
     template <typename Matrix, typename Preconditioner>
     void
@@ -91,14 +101,10 @@ namespace seiche
           A.vmult(*w, *z[j]);
 
           std::vector<double> &h = column(j);
-          h[0]                   = *w * *v[0];
-          for (unsigned int i = 1; i <= j; ++i)
-            h[i] = w->add_and_dot(-h[i - 1], *v[i - 1], *v[i]);
-          norm = std::sqrt(w->add_and_dot(-h[j], *v[j], *w));
-
-          double size = norm * norm; // of A z
-          for (unsigned int i = 0; i <= j; ++i)
-            size += h[i] * h[i];
+          std::fill_n(h.begin(), n, 0.);
+          const double size = orthogonalize(h, norm); // of A z, squared
+          if (norm < repeat_below * std::sqrt(size))
+            orthogonalize(h, norm);
           for (unsigned int i = 0; i < j; ++i)
             rotate(i, h[i], h[i + 1]);
           double length = std::hypot(h[j], norm);
@@ -111,6 +117,65 @@ namespace seiche
           rotate(j, g[j], g[j + 1]);
           residual = std::abs(g[j + 1]);
           ++iterations;
+        }
+    }
+
+    /// Take from w its parts along the basis, add them to @p h. The square of
+    /// its length before; @p norm is what is left of it.
+    double
+    orthogonalize(std::vector<double> &h, double &norm)
+    {
+      // n parts and the square, of all ranks at once
+      sums.assign(n + 1, 0.);
+      in_pieces(
+        [&](const unsigned int block, const auto begin, const auto end) {
+          const double *a = w->block(block).begin();
+          for (unsigned int i = 0; i <= n; ++i)
+            {
+              const double *b   = (i < n ? *v[i] : *w).block(block).begin();
+              double        sum = 0.;
+              DEAL_II_OPENMP_SIMD_PRAGMA
+              for (auto k = begin; k < end; ++k)
+                sum += a[k] * b[k];
+              sums[i] += sum;
+            }
+        });
+      dealii::Utilities::MPI::sum(sums,
+                                  w->block(0).get_mpi_communicator(),
+                                  sums);
+      in_pieces(
+        [&](const unsigned int block, const auto begin, const auto end) {
+          double *a = w->block(block).begin();
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              const double *b = v[i]->block(block).begin();
+              DEAL_II_OPENMP_SIMD_PRAGMA
+              for (auto k = begin; k < end; ++k)
+                a[k] -= sums[i] * b[k];
+            }
+        });
+      double rest = sums[n];
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          h[i] += sums[i];
+          rest -= sums[i] * sums[i];
+        }
+      norm = std::sqrt(std::max(rest, 0.)); // Pythagoras
+      return sums[n];
+    }
+
+    /// Call @p function(block, begin, end) for pieces of w that stay in the
+    /// cache.
+    template <typename Function>
+    void
+    in_pieces(const Function &function) const
+    {
+      constexpr std::size_t size = 512;
+      for (unsigned int b = 0; b < w->n_blocks(); ++b)
+        {
+          const std::size_t all = w->block(b).locally_owned_size();
+          for (std::size_t begin = 0; begin < all; begin += size)
+            function(b, begin, std::min(all, begin + size));
         }
     }
 
@@ -165,7 +230,7 @@ namespace seiche
     unsigned int         n = 0;
     // columns of the Hessenberg matrix, rotated to triangular shape
     std::vector<std::vector<double>> H;
-    std::vector<double>              cosine, sine, g;
+    std::vector<double>              cosine, sine, g, sums;
   };
 } // namespace seiche
 

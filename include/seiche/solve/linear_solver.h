@@ -123,7 +123,7 @@ namespace seiche
     const ClosedChambers<dim>   *closed    = nullptr; ///< null: none
     const typename GridState<dim>::Vector *mass = nullptr;
     BlockPreconditioner<dim>               preconditioner;
-    FlexibleGMRES<BlockVector>             gmres;
+    FlexibleGMRES                          gmres;
     BlockVector                            scaled;
   };
 } // namespace seiche
