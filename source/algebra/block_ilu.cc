@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/algebra/block_ilu.h>
 #include <seiche/utilities/register.h>
+#include <seiche/utilities/storage.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -149,11 +150,13 @@ namespace seiche
                             const double            diagonal_factor)
   {
     const unsigned int n = matrix.occupancy.nodes.n_own();
+    // half of the couplings of own nodes: the pattern is symmetric
+    const std::size_t n_couplings = (matrix.sparsity().row_begin(n) - n) / 2;
     for (Triangle *triangle : {&lower, &upper})
       {
         triangle->begin.assign(1, 0);
-        triangle->column.clear();
-        triangle->blocks.clear();
+        make_room(triangle->column, n_couplings);
+        make_room(triangle->blocks, n_couplings * size);
       }
     inverses.assign(n * size, 0.f);
 

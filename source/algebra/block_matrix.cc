@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/algebra/block_matrix.h>
 #include <seiche/utilities/register.h>
+#include <seiche/utilities/storage.h>
 
 #include <algorithm>
 
@@ -24,8 +25,12 @@ namespace seiche
     ++pattern_generation;
     const std::size_t n = pattern.n_entries();
     // and one number more, see Register
-    displacement_columns.resize(n * dim * n_fields() + 1);
-    pressure_column.resize(with_pressure ? n * n_fields() + 1 : 0);
+    const auto start = [](std::vector<float> &values, const std::size_t size) {
+      make_room(values, size);
+      values.resize(size);
+    };
+    start(displacement_columns, n * dim * n_fields() + 1);
+    start(pressure_column, with_pressure ? n * n_fields() + 1 : 0);
     empty.assign(occupancy.nodes.n_own(), 0);
     source.reinit(pattern.make_partitioner(n_fields()));
     if (with_pressure)

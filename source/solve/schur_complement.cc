@@ -185,6 +185,8 @@ namespace seiche
     const NodePattern<dim> &pattern = matrix->sparsity();
     DistributedRows         result;
     result.first = matrix->occupancy.nodes.partitioner()->local_range().first;
+    result.column.reserve(pattern.row_begin(surface.size()));
+    result.value.reserve(pattern.row_begin(surface.size()));
     for (unsigned int node = 0; node < surface.size(); ++node)
       {
         const std::size_t before = result.column.size();
