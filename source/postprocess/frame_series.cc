@@ -3,7 +3,7 @@
 #include <seiche/postprocess/frame_series.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/exceptions.h>
-#include <seiche/utilities/failure_text.h>
+#include <seiche/utilities/first_rank.h>
 #include <seiche/utilities/result_names.h>
 #include <seiche/utilities/state_archive.h>
 
@@ -44,34 +44,11 @@ namespace seiche
   FrameSeries::next_name(const std::vector<std::string> &extensions)
   {
     if (frames == 0)
-      on_all_ranks([&]() {
+      on_all_ranks(communicator, [&]() {
         if (Utilities::MPI::this_mpi_process(communicator) == 0)
           remove_later_frames(extensions);
       });
     return result_names::frame(name, frames++);
-  }
-
-  void
-  FrameSeries::on_all_ranks(const std::function<void()> &action) const
-  {
-    std::string failure;
-    try
-      {
-        action();
-      }
-    catch (const std::exception &error)
-      {
-        failure = failure_text(error);
-      }
-    const unsigned int n = Utilities::MPI::n_mpi_processes(communicator);
-    const unsigned int first_failed =
-      Utilities::MPI::min(failure.empty() ?
-                            n :
-                            Utilities::MPI::this_mpi_process(communicator),
-                          communicator);
-    if (first_failed < n)
-      throw FileError(
-        Utilities::MPI::broadcast(communicator, failure, first_failed));
   }
 
   template <int patch_dim, int dim>
@@ -99,7 +76,7 @@ namespace seiche
           if (r == rank)
             own_piece = path + pieces.back();
         }
-    on_all_ranks([&]() {
+    on_all_ranks(communicator, [&]() {
       if (!own_piece.empty())
         checked_file::write(own_piece,
                             [&](std::ostream &out) { data.write_vtu(out); });
@@ -107,7 +84,7 @@ namespace seiche
 
     // the index names only what is complete on the disk
     index.emplace_back(time, n == 1 ? pieces[0] : stem + ".pvtu");
-    on_all_ranks([&]() {
+    on_all_ranks(communicator, [&]() {
       if (rank > 0)
         return;
       if (n > 1)
@@ -136,7 +113,7 @@ namespace seiche
     archive("index", index);
     if (!archive.loading())
       return;
-    on_all_ranks([&]() {
+    on_all_ranks(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) > 0)
         return;
       if (!index.empty())
@@ -169,16 +146,12 @@ namespace seiche
   }
 
   void
-  FrameSeries::write_from_first_rank(
-    const std::string                         &extension,
-    const std::function<void(std::ostream &)> &fill)
+  FrameSeries::write_file(const std::string &extension,
+                          const std::function<void(const std::string &)> &write)
   {
     const std::string file =
       settings.directory + "/" + next_name({"." + extension}) + "." + extension;
-    on_all_ranks([&]() {
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        checked_file::write(file, fill);
-    });
+    on_all_ranks(communicator, [&]() { write(file); });
   }
 
   template void

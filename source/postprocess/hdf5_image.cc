@@ -2,7 +2,15 @@
 #include <seiche/postprocess/hdf5_handle.h>
 #include <seiche/postprocess/hdf5_image.h>
 #include <seiche/utilities/exceptions.h>
+#include <seiche/utilities/posix_file.h>
 
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <type_traits>
 
 namespace seiche
@@ -10,30 +18,46 @@ namespace seiche
   static_assert(std::is_same_v<hid_t, std::int64_t> ||
                   sizeof(hid_t) <= sizeof(std::int64_t),
                 "identifiers of HDF5 are kept in 64 bits");
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
+                "arrays go into files as they lie in memory");
+
+  namespace
+  {
+    constexpr std::size_t metadata_size = std::size_t(1) << 14;
+  }
 
   Hdf5Image::Hdf5Image(const std::string &name_in_messages,
                        const std::string &way_out)
     : name(name_in_messages)
     , advice(way_out)
+    , descriptor(-1)
     , file(-1)
   {
     // failures are reported by check(), not by a trace on the screen
     check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr), "switch off the trace");
     const Hdf5Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "set up"),
                             H5Pclose);
-    check(H5Pset_fapl_core(access.id,
-                           /*increment=*/std::size_t(1) << 20,
-                           /*backing_store=*/false),
-          "set up the memory driver");
-    file = check(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id),
-                 "create");
+    // all of it in one place, before the arrays
+    check(H5Pset_meta_block_size(access.id, metadata_size), "set up");
+    // (not memfd_create(): HDF5 follows the link to it, which leads nowhere)
+    std::string path = "/dev/shm/seiche-XXXXXX";
+    descriptor       = ::mkstemp(path.data());
+    check(descriptor, "make " + path);
+    const bool has_room =
+      ::posix_fallocate(descriptor, 0, 2 * metadata_size) == 0;
+    if (has_room)
+      file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id);
+    ::unlink(path.c_str());
+    if (file < 0)
+      ::close(descriptor);
+    check(file, "create a file");
   }
 
   Hdf5Image::~Hdf5Image()
   {
-    H5Fclose(file);
-    // HDF5 keeps freed buffers by size, and those of a checkpoint grow
-    H5garbage_collect();
+    if (file >= 0)
+      H5Fclose(file);
+    ::close(descriptor);
   }
 
   std::int64_t
@@ -92,89 +116,132 @@ namespace seiche
           "write attribute " + attribute);
   }
 
-  void
-  Hdf5Image::write_dataset(const std::string &dataset,
-                           const void        *values,
-                           const std::size_t  rows,
-                           const unsigned int columns,
-                           const std::int64_t memory_type,
-                           const std::int64_t file_type,
-                           const std::string &unit)
+  std::int64_t
+  Hdf5Image::make_dataset(const std::string &dataset,
+                          const std::size_t  rows,
+                          const unsigned int columns,
+                          const std::int64_t type,
+                          const std::string &unit)
   {
     const hsize_t    size[2] = {rows, columns};
     const Hdf5Handle space(
       check(H5Screate_simple(columns > 1 ? 2 : 1, size, nullptr),
             "size dataset " + dataset),
       H5Sclose);
-    // the same data make the same bytes: no time stamps
     const Hdf5Handle creation(check(H5Pcreate(H5P_DATASET_CREATE), "set up"),
                               H5Pclose);
+    // the same data make the same bytes: no time stamps
     check(H5Pset_obj_track_times(creation.id, false), "set up");
-    const Hdf5Handle handle(check(H5Dcreate2(file,
+    check(H5Pset_alloc_time(creation.id, H5D_ALLOC_TIME_EARLY), "set up");
+    check(H5Pset_fill_time(creation.id, H5D_FILL_TIME_NEVER), "set up");
+    const auto identifier = check(H5Dcreate2(file,
                                              dataset.c_str(),
-                                             file_type,
+                                             type,
                                              space.id,
                                              H5P_DEFAULT,
                                              creation.id,
                                              H5P_DEFAULT),
-                                  "make dataset " + dataset),
-                            H5Dclose);
-    check(
-      H5Dwrite(handle.id, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
-      "write dataset " + dataset);
+                                  "make dataset " + dataset);
     if (!unit.empty())
-      write_text(handle.id, "unit", unit);
+      write_text(identifier, "unit", unit);
+    return identifier;
   }
 
   void
-  Hdf5Image::write_array(const std::string         &dataset,
-                         const std::vector<double> &values,
-                         const unsigned int         columns,
-                         const std::string         &unit)
+  Hdf5Image::add_array(const std::string &dataset,
+                       const std::size_t  rows,
+                       const unsigned int columns,
+                       const std::int64_t type,
+                       const std::string &unit,
+                       const Source      &source)
   {
-    write_dataset(dataset,
-                  values.data(),
-                  values.size() / columns,
-                  columns,
-                  H5T_NATIVE_DOUBLE,
-                  H5T_IEEE_F64LE,
-                  unit);
+    const std::size_t size   = rows * columns * H5Tget_size(type);
+    const std::size_t before = holes.empty() ? 0 : holes.back().end;
+    // beyond this limit HDF5 would crash when it closes the file
+    rlimit limit;
+    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 &&
+        before + size + 4 * metadata_size > limit.rlim_cur)
+      posix_file::fail(name, "write", EFBIG, 0);
+    const Hdf5Handle handle(make_dataset(dataset, rows, columns, type, unit),
+                            H5Dclose);
+    if (rows == 0)
+      return; // it has no place
+    const std::size_t begin = H5Dget_offset(handle.id);
+    holes.push_back({begin, begin + size, source});
   }
 
   void
-  Hdf5Image::write_array(const std::string                &dataset,
-                         const std::vector<std::uint64_t> &values)
+  Hdf5Image::add_doubles(const std::string &dataset,
+                         const std::size_t  rows,
+                         const unsigned int columns,
+                         const std::string &unit,
+                         const Source      &source)
   {
-    write_dataset(dataset,
-                  values.data(),
-                  values.size(),
-                  1,
-                  H5T_NATIVE_UINT64,
-                  H5T_STD_U64LE,
-                  "");
+    add_array(dataset, rows, columns, H5T_IEEE_F64LE, unit, source);
+  }
+
+  void
+  Hdf5Image::add_integers(const std::string &dataset,
+                          const std::size_t  rows,
+                          const Source      &source)
+  {
+    add_array(dataset, rows, 1, H5T_STD_U64LE, "", source);
   }
 
   void
   Hdf5Image::write_bytes(const std::string               &dataset,
                          const std::vector<std::uint8_t> &values)
   {
-    write_dataset(dataset,
-                  values.data(),
-                  values.size(),
-                  1,
-                  H5T_NATIVE_UINT8,
-                  H5T_STD_U8LE,
-                  "");
+    const Hdf5Handle handle(
+      make_dataset(dataset, values.size(), 1, H5T_STD_U8LE, ""), H5Dclose);
+    check(H5Dwrite(handle.id,
+                   H5T_NATIVE_UINT8,
+                   H5S_ALL,
+                   H5S_ALL,
+                   H5P_DEFAULT,
+                   values.data()),
+          "write dataset " + dataset);
   }
 
-  std::vector<char>
-  Hdf5Image::bytes() const
+  void
+  Hdf5Image::copy(const std::size_t begin,
+                  const std::size_t end,
+                  const Sink       &sink) const
   {
-    check(H5Fflush(file, H5F_SCOPE_GLOBAL), "complete the file");
-    const auto size =
-      check(H5Fget_file_image(file, nullptr, 0), "measure the file");
-    std::vector<char> image(size);
-    check(H5Fget_file_image(file, image.data(), image.size()), "copy the file");
-    return image;
+    std::vector<char> piece(std::size_t(1) << 16);
+    for (std::size_t at = begin; at < end;)
+      {
+        const ssize_t n = ::pread(descriptor,
+                                  piece.data(),
+                                  std::min(piece.size(), end - at),
+                                  at);
+        check(n > 0 ? 0 : -1, "read its memory");
+        sink(piece.data(), n);
+        at += n;
+      }
+  }
+
+  void
+  Hdf5Image::write(const Sink &sink)
+  {
+    const auto id = file;
+    file          = -1;
+    check(H5Fclose(id), "complete the file");
+    std::sort(holes.begin(), holes.end(), [](const Hole &a, const Hole &b) {
+      return a.begin < b.begin;
+    });
+    std::size_t at = 0;
+    for (const Hole &hole : holes)
+      {
+        copy(at, hole.begin, sink);
+        std::size_t given = 0;
+        hole.source([&](const char *data, const std::size_t size) {
+          given += size;
+          sink(data, size);
+        });
+        check(given == hole.end - hole.begin ? 0 : -1, "fill an array");
+        at = hole.end;
+      }
+    copy(at, posix_file::size_of(descriptor), sink);
   }
 } // namespace seiche

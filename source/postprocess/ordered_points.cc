@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/postprocess/gathered_points.h>
-#include <seiche/utilities/exceptions.h>
+#include <seiche/postprocess/ordered_points.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 
 namespace seiche
@@ -11,90 +13,239 @@ namespace seiche
 
   namespace
   {
-    /// The parts of all ranks one after the other; empty but on rank 0.
-    /// (Utilities::MPI::gather() would compress them, which takes longer than
-    /// all the rest of a checkpoint.)
-    template <typename Number>
-    std::vector<Number>
-    gathered(const std::vector<Number> &part, const MPI_Comm communicator)
-    {
-      const auto type = Utilities::MPI::mpi_type_id_for_type<Number>;
-      const auto sizes =
-        Utilities::MPI::gather(communicator, static_cast<int>(part.size()));
-      std::size_t      total = 0;
-      std::vector<int> offsets;
-      for (const int size : sizes)
-        {
-          offsets.push_back(static_cast<int>(total));
-          total += size;
-        }
-      if (total >= (std::size_t(1) << 31))
-        throw NumericalError("more than 2^31 - 1 points cannot be gathered "
-                             "for a checkpoint or an HDF5 series; set "
-                             "Checkpoint/Every wall time = 0 and no "
-                             "Output/Point series.");
-      std::vector<Number> all(total);
-      const int           error = MPI_Gatherv(part.data(),
-                                    static_cast<int>(part.size()),
-                                    type,
-                                    all.data(),
-                                    sizes.data(),
-                                    offsets.data(),
-                                    type,
-                                    /*root=*/0,
-                                    communicator);
-      AssertThrowMPI(error);
-      return all;
-    }
+    constexpr std::size_t   rows_a_message = std::size_t(1) << 16;
+    constexpr std::uint64_t no_array       = -1;
+    constexpr int           tag            = 7001; // of requests and rows
 
+    /// Counts of numbers that go to each rank and come from it.
+    struct Exchange
+    {
+      const MPI_Comm   communicator;
+      std::vector<int> sent, sent_begin, received, received_begin;
+
+      Exchange(const MPI_Comm comm, const std::vector<int> &counts)
+        : communicator(comm)
+        , sent(counts)
+        , sent_begin(counts.size(), 0)
+        , received(counts.size())
+        , received_begin(counts.size(), 0)
+      {
+        const int error = MPI_Alltoall(
+          sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, communicator);
+        AssertThrowMPI(error);
+        std::partial_sum(sent.begin(), sent.end() - 1, sent_begin.begin() + 1);
+        std::partial_sum(received.begin(),
+                         received.end() - 1,
+                         received_begin.begin() + 1);
+      }
+
+      /// @p values, those for rank 0 first.
+      template <typename Number>
+      std::vector<Number>
+      operator()(const std::vector<Number> &values) const
+      {
+        const auto          type = Utilities::MPI::mpi_type_id_for_type<Number>;
+        std::vector<Number> result(received_begin.back() + received.back());
+        const int           error = MPI_Alltoallv(values.data(),
+                                        sent.data(),
+                                        sent_begin.data(),
+                                        type,
+                                        result.data(),
+                                        received.data(),
+                                        received_begin.data(),
+                                        type,
+                                        communicator);
+        AssertThrowMPI(error);
+        return result;
+      }
+    };
   } // namespace
 
   template <int dim>
-  GatheredPoints<dim>::GatheredPoints(const PointCloud<dim> &points)
+  OrderedPoints<dim>::OrderedPoints(const PointCloud<dim> &point_cloud)
+    : points(point_cloud)
+    , ids(point_cloud.ids())
   {
-    const auto               all = gathered(points.ids(), points.communicator);
-    std::vector<std::size_t> order(all.size());
+    arrays.push_back({nullptr, {}});
+    for (const PointColumnInfo &info : point_column_table)
+      if (points.has(info.column))
+        {
+          arrays.push_back({&info, {}});
+          for (unsigned int c = 0; c < n_components(info.column, dim); ++c)
+            arrays.back().components.push_back(points.data(info.column, c));
+        }
+    if (Utilities::MPI::n_mpi_processes(points.communicator) > 1)
+      exchange();
+
+    order.resize(ids.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(),
               order.end(),
               [&](const std::size_t a, const std::size_t b) {
-                return all[a] < all[b];
+                return ids[a] < ids[b];
               });
+    rows_of_rank =
+      Utilities::MPI::gather(points.communicator, std::uint64_t(ids.size()));
+  }
 
-    ids.reserve(all.size());
-    for (const std::size_t i : order)
-      ids.push_back(all[i]);
-    // a component at a time: the counts of a message are 32-bit
-    for (const PointColumnInfo &info : point_column_table)
-      if (points.has(info.column))
+  template <int dim>
+  void
+  OrderedPoints<dim>::exchange()
+  {
+    const unsigned int n_ranks =
+      Utilities::MPI::n_mpi_processes(points.communicator);
+    std::uint64_t largest = 0;
+    for (const std::uint64_t id : ids)
+      largest = std::max(largest, id);
+    largest = Utilities::MPI::max(largest, points.communicator);
+    const std::uint64_t range = largest / n_ranks + 1;
+
+    std::vector<int> counts(n_ranks, 0);
+    for (const std::uint64_t id : ids)
+      ++counts[id / range];
+    std::vector<std::size_t> next(n_ranks, 0), place(ids.size());
+    std::partial_sum(counts.begin(), counts.end() - 1, next.begin() + 1);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      place[next[ids[i] / range]++] = i;
+
+    const Exchange exchanged(points.communicator, counts);
+    const auto     by_rank = [&](const auto *values) {
+      std::vector<std::remove_cv_t<std::remove_reference_t<decltype(*values)>>>
+        result(place.size());
+      for (std::size_t i = 0; i < place.size(); ++i)
+        result[i] = values[place[i]];
+      return exchanged(result);
+    };
+    for (Array &array : arrays)
+      for (const double *&component : array.components)
         {
-          const unsigned int  n = n_components(info.column, dim);
-          std::vector<double> values(n * order.size());
-          for (unsigned int c = 0; c < n; ++c)
+          received.push_back(by_rank(component));
+          component = received.back().data();
+        }
+    ids = by_rank(ids.data());
+  }
+
+  template <int dim>
+  void
+  OrderedPoints<dim>::while_rows_are_handed_out(
+    const std::function<void()> &write) const
+  {
+    if (Utilities::MPI::this_mpi_process(points.communicator) != 0)
+      return hand_out();
+    /// However @p write ends.
+    struct End
+    {
+      const MPI_Comm     communicator;
+      const unsigned int n_ranks;
+
+      ~End()
+      {
+        const Request nothing = {no_array, 0, 0};
+        for (unsigned int rank = 1; rank < n_ranks; ++rank)
+          MPI_Send(&nothing, 3, MPI_UINT64_T, rank, tag, communicator);
+      }
+    };
+    const End end = {points.communicator,
+                     static_cast<unsigned int>(rows_of_rank.size())};
+    write();
+  }
+
+  template <int dim>
+  void
+  OrderedPoints<dim>::hand_out() const
+  {
+    while (true)
+      {
+        Request request;
+        MPI_Recv(&request,
+                 3,
+                 MPI_UINT64_T,
+                 0,
+                 tag,
+                 points.communicator,
+                 MPI_STATUS_IGNORE);
+        if (request.array == no_array)
+          return;
+        const std::vector<char> asked =
+          rows(arrays[request.array], request.begin, request.end);
+        MPI_Send(
+          asked.data(), asked.size(), MPI_BYTE, 0, tag, points.communicator);
+      }
+  }
+
+  template <int dim>
+  std::vector<char>
+  OrderedPoints<dim>::rows(const Array      &array,
+                           const std::size_t begin,
+                           const std::size_t end) const
+  {
+    std::vector<char> result((end - begin) * array.bytes_of_row());
+    char             *to     = result.data();
+    const auto        append = [&to](const auto &value) {
+      std::memcpy(to, &value, sizeof(value));
+      to += sizeof(value);
+    };
+    for (std::size_t i = begin; i < end; ++i)
+      if (array.info == nullptr)
+        append(ids[order[i]]);
+      else
+        for (const double *component : array.components)
+          append(component[order[i]]);
+    return result;
+  }
+
+  template <int dim>
+  void
+  OrderedPoints<dim>::for_all_rows(const std::size_t array,
+                                   const Sink       &sink) const
+  {
+    for (unsigned int rank = 0; rank < rows_of_rank.size(); ++rank)
+      for (std::size_t begin = 0; begin < rows_of_rank[rank];
+           begin += rows_a_message)
+        {
+          const std::size_t end =
+            std::min<std::size_t>(rows_of_rank[rank], begin + rows_a_message);
+          if (rank == 0)
             {
-              const double *own = points.data(info.column, c);
-              const auto    component =
-                gathered(std::vector<double>(own, own + points.size()),
-                         points.communicator);
-              for (std::size_t i = 0; i < order.size(); ++i)
-                values[n * i + c] = component[order[i]];
+              const std::vector<char> own = rows(arrays[array], begin, end);
+              sink(own.data(), own.size());
+              continue;
             }
-          columns.emplace_back(info, std::move(values));
+          const Request request = {array, begin, end};
+          MPI_Send(&request, 3, MPI_UINT64_T, rank, tag, points.communicator);
+          std::vector<char> theirs((end - begin) *
+                                   arrays[array].bytes_of_row());
+          MPI_Recv(theirs.data(),
+                   theirs.size(),
+                   MPI_BYTE,
+                   rank,
+                   tag,
+                   points.communicator,
+                   MPI_STATUS_IGNORE);
+          sink(theirs.data(), theirs.size());
         }
   }
 
   template <int dim>
   void
-  GatheredPoints<dim>::write(Hdf5Image &image) const
+  OrderedPoints<dim>::add_to(Hdf5Image &image) const
   {
-    image.write_array("id", ids);
-    for (const auto &[info, values] : columns)
-      image.write_array(info.name,
-                        values,
-                        n_components(info.column, dim),
-                        info.unit);
+    const std::size_t n =
+      std::accumulate(rows_of_rank.begin(), rows_of_rank.end(), std::size_t(0));
+    for (std::size_t k = 0; k < arrays.size(); ++k)
+      {
+        const PointColumnInfo *info   = arrays[k].info;
+        const auto             source = [this, k](const Sink &sink) {
+          for_all_rows(k, sink);
+        };
+        if (info == nullptr)
+          image.add_integers("id", n, source);
+        else
+          image.add_doubles(
+            info->name, n, arrays[k].components.size(), info->unit, source);
+      }
   }
 
-  template class GatheredPoints<2>;
-  template class GatheredPoints<3>;
+  template class OrderedPoints<2>;
+  template class OrderedPoints<3>;
 } // namespace seiche

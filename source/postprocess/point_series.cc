@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/postprocess/gathered_points.h>
+#include <seiche/postprocess/ordered_points.h>
 #include <seiche/postprocess/point_series.h>
+#include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/result_names.h>
 
 namespace seiche
@@ -20,17 +21,24 @@ namespace seiche
   {
     if (!series.due(view.time))
       return;
-    const GatheredPoints<dim> points(view.points);
-    series.write_from_first_rank("h5", [&](std::ostream &out) {
-      Hdf5Image image("points.h5",
+    const OrderedPoints<dim> points(view.points);
+    std::string              file;
+    const auto               fill = [&](std::ostream &out) {
+      Hdf5Image image(file,
                       "\"Output/Point series = false\" does without them");
       image.write_attribute("time", view.time);
       image.write_attribute("pressure_time", view.pressure_time);
       image.write_attribute("step", view.step);
       image.write_attribute("dim", dim);
-      points.write(image);
-      const std::vector<char> bytes = image.bytes();
-      out.write(bytes.data(), bytes.size());
+      points.add_to(image);
+      image.write([&out](const char *data, const std::size_t size) {
+        out.write(data, size);
+      });
+    };
+    series.write_file("h5", [&](const std::string &path) {
+      file = path;
+      points.while_rows_are_handed_out(
+        [&]() { checked_file::write(file, fill); });
     });
   }
 

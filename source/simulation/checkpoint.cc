@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/postprocess/gathered_points.h>
+#include <seiche/postprocess/ordered_points.h>
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/utilities/checked_file.h>
 #include <seiche/utilities/first_rank.h>
@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 
 namespace seiche
@@ -19,38 +20,51 @@ namespace seiche
 
     constexpr std::size_t points_per_chunk = std::size_t(1) << 16;
 
-    /// FNV-1a, 64 bits: every single altered byte alters it.
-    std::uint64_t
-    hash(const char *data, const std::size_t size)
+    /// FNV-1a, 64 bits, of bytes that come in pieces: every single altered byte
+    /// alters it.
+    struct Digest
     {
-      std::uint64_t value = 14695981039346656037ull;
-      for (std::size_t i = 0; i < size; ++i)
-        value =
-          (value ^ static_cast<unsigned char>(data[i])) * 1099511628211ull;
-      return value;
-    }
+      std::size_t   size = 0;
+      std::uint64_t hash = 14695981039346656037ull;
 
-    /// The last line of a file that has @p size bytes before it.
-    std::string
-    last_line(const char *data, const std::size_t size)
-    {
-      return fmt::format("\nseiche checkpoint {:020} {:016x}\n",
-                         size,
-                         hash(data, size));
-    }
+      void
+      add(const char *data, const std::size_t n)
+      {
+        size += n;
+        for (std::size_t i = 0; i < n; ++i)
+          hash =
+            (hash ^ static_cast<unsigned char>(data[i])) * 1099511628211ull;
+      }
+
+      /// Of a file that has these bytes before it.
+      std::string
+      last_line() const
+      {
+        return fmt::format("\nseiche checkpoint {:020} {:016x}\n", size, hash);
+      }
+    };
 
     /// @p filename if its content is what was written.
     const std::string &
     verified(const std::string &filename)
     {
-      const std::string text   = checked_file::read(filename);
-      const std::size_t length = last_line("", 0).size();
-      const std::string mark   = "\nseiche checkpoint ";
-      const std::size_t size   = text.size() - std::min(length, text.size());
-      if (text.compare(size, mark.size(), mark) != 0)
+      const std::size_t length = Digest().last_line().size();
+      std::error_code   error; // none is met: the file is read
+      const auto        all  = std::filesystem::file_size(filename, error);
+      const std::size_t rest = error || all < length ? 0 : all - length;
+      Digest            digest;
+      std::string       end;
+      checked_file::read_in_pieces(
+        filename, [&](const char *data, const std::size_t size) {
+          const std::size_t n = std::min(size, rest - digest.size);
+          digest.add(data, n);
+          end.append(data + n, size - n);
+        });
+      const std::string mark = "\nseiche checkpoint ";
+      if (end.compare(0, mark.size(), mark) != 0)
         throw FileError(filename + ": it is cut short, or no checkpoint of "
                                    "this program.");
-      if (text.compare(size, length, last_line(text.data(), size)) != 0)
+      if (end != digest.last_line())
         throw FileError(filename + ": it is damaged (its hash does not fit "
                                    "its content).");
       return filename;
@@ -91,19 +105,24 @@ namespace seiche
     state("program version", program);
     state("parameters", fixed);
 
-    const GatheredPoints<dim> gathered(points);
-    on_first_rank(points.communicator, [&]() {
+    const OrderedPoints<dim> ordered(points);
+    const auto               fill = [&](std::ostream &out) {
       Hdf5Image image(filename, "\"Checkpoint/Every steps = 0\" does without");
       image.write_attribute("program_version", program);
       image.write_attribute("format_version", version);
       image.write_attribute("dim", dim);
       image.write_bytes("state", state.bytes());
-      gathered.write(image);
-      const std::vector<char> bytes = image.bytes();
-      checked_file::write(filename, [&](std::ostream &out) {
-        out.write(bytes.data(), bytes.size());
-        out << last_line(bytes.data(), bytes.size());
+      ordered.add_to(image);
+      Digest digest;
+      image.write([&](const char *data, const std::size_t size) {
+        digest.add(data, size);
+        out.write(data, size);
       });
+      out << digest.last_line();
+    };
+    on_all_ranks(points.communicator, [&]() {
+      ordered.while_rows_are_handed_out(
+        [&]() { checked_file::write(filename, fill); });
     });
   }
 

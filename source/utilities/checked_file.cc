@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <locale>
 #include <streambuf>
+#include <vector>
 
 namespace seiche
 {
@@ -238,30 +239,50 @@ namespace seiche
 
 
 
-  std::string
-  checked_file::read(const std::string &filename, const std::size_t length)
+  void
+  checked_file::read_in_pieces(
+    const std::string                                          &filename,
+    const std::function<void(const char *, const std::size_t)> &take,
+    const std::size_t                                           length)
   {
     const int descriptor = open_file(filename, O_RDONLY);
     if (descriptor < 0)
       fail(filename, "open", errno, 0);
-    std::string text;
-    ssize_t     n = 1;
-    while (text.size() < length && n > 0)
+    std::vector<char> piece(std::size_t(1) << 20);
+    std::size_t       done = 0;
+    ssize_t           n    = 1;
+    while (done < length && n > 0)
       {
-        const std::size_t begin = text.size();
-        text.resize(
-          begin + std::min<std::size_t>(length - begin, std::size_t(1) << 20));
         do
-          n = ::read(descriptor, &text[begin], text.size() - begin);
+          n = ::read(descriptor,
+                     piece.data(),
+                     std::min(piece.size(), length - done));
         while (n < 0 && errno == EINTR);
-        text.resize(begin + std::max<ssize_t>(n, 0));
+        if (n <= 0)
+          break;
+        take(piece.data(), n);
+        done += n;
       }
     const int error = errno;
     ::close(descriptor);
     if (n < 0)
-      fail(filename, "read", error, text.size());
-    if (length != static_cast<std::size_t>(-1) && text.size() < length)
-      fail(filename, "read", 0, text.size());
+      fail(filename, "read", error, done);
+    if (length != everything && done < length)
+      fail(filename, "read", 0, done);
+  }
+
+
+
+  std::string
+  checked_file::read(const std::string &filename, const std::size_t length)
+  {
+    std::string text;
+    read_in_pieces(
+      filename,
+      [&text](const char *data, const std::size_t size) {
+        text.append(data, size);
+      },
+      length);
     return text;
   }
 } // namespace seiche

@@ -11,21 +11,36 @@
 namespace seiche
 {
   void
+  on_all_ranks(const MPI_Comm               communicator,
+               const std::function<void()> &function)
+  {
+    std::string problem;
+    try
+      {
+        function();
+      }
+    catch (const std::exception &error)
+      {
+        problem = failure_text(error);
+      }
+    const unsigned int n =
+      dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int first_failed =
+      dealii::Utilities::MPI::min(problem.empty() ? n : rank, communicator);
+    if (first_failed < n)
+      throw FileError(
+        dealii::Utilities::MPI::broadcast(communicator, problem, first_failed));
+  }
+
+  void
   on_first_rank(const MPI_Comm               communicator,
                 const std::function<void()> &function)
   {
-    std::string problem;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      try
-        {
-          function();
-        }
-      catch (const std::exception &error)
-        {
-          problem = failure_text(error);
-        }
-    problem = dealii::Utilities::MPI::broadcast(communicator, problem);
-    if (!problem.empty())
-      throw FileError(problem);
+    on_all_ranks(communicator, [&]() {
+      if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+        function();
+    });
   }
 } // namespace seiche

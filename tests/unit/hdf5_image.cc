@@ -20,12 +20,20 @@ main(int argc, char **argv)
     seiche::Hdf5Image image("test");
     image.write_attribute("time", 0.25);
     image.write_attribute("origin", "unit test");
-    image.write_array("id", ids);
-    image.write_array("position", positions, 2, "m");
-    image.write_array("none", {}, 1, "Pa");
-    const std::vector<char> bytes = image.bytes();
+    const auto all_of = [](const auto &values) {
+      return [&values](const seiche::Hdf5Image::Sink &sink) {
+        for (const auto &value : values) // in pieces
+          sink(reinterpret_cast<const char *>(&value), sizeof(value));
+      };
+    };
+    image.add_integers("id", ids.size(), all_of(ids));
+    image.add_doubles("position", 3, 2, "m", all_of(positions));
+    image.add_doubles("none", 0, 1, "Pa", all_of(positions));
+    image.write_bytes("state", {1, 2, 3});
     seiche::checked_file::write("test.h5", [&](std::ostream &out) {
-      out.write(bytes.data(), bytes.size());
+      image.write([&out](const char *data, const std::size_t size) {
+        out.write(data, size);
+      });
     });
   }
 

@@ -51,11 +51,11 @@ namespace seiche
     void
     write_vtu(const double time, const FieldPatches<patch_dim, dim> &data);
 
-    /// Write the frame as one file NAME_NNNNNN.@p extension from rank 0; the
-    /// others wait for its success. Collective.
+    /// Write the frame as one file NAME_NNNNNN.@p extension: @p write gets its
+    /// path on every rank; if it fails on one, FileError on all. Collective.
     void
-    write_from_first_rank(const std::string                         &extension,
-                          const std::function<void(std::ostream &)> &fill);
+    write_file(const std::string                              &extension,
+               const std::function<void(const std::string &)> &write);
 
     /// Which frames there are, for a checkpoint. Loading removes the files of
     /// later frames, those with one of the @p extensions, and drops them from
@@ -72,10 +72,6 @@ namespace seiche
     /// Rewrite NAME.pvd. Rank 0.
     void
     write_index() const;
-
-    /// Run @p action here; if it fails on any rank, FileError on all.
-    void
-    on_all_ranks(const std::function<void()> &action) const;
 
     /// "NAME_000012", and on to the next number; before the first one the
     /// frames of an earlier run, files with the @p extensions, are removed.

@@ -4,18 +4,21 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace seiche
 {
   /**
-   * @brief An HDF5 file made in memory, to be written by checked_file.
+   * @brief An HDF5 file made in memory but for its long arrays, to be written by
+   * checked_file.
    *
    * The library prints a trace and goes on, or crashes at exit, when a disk is
-   * full. Here it never touches the disk: the file is assembled by its memory
-   * driver and handed out as bytes. Every call is checked; FileError names
-   * what failed. Local.
+   * full. Here it never touches the disk: it makes the file, with holes for the
+   * arrays, in memory (/dev/shm), and their values go straight to where
+   * the file is written, so that they need not be in memory at once. Every call
+   * is checked; FileError names what failed. Local.
    */
   class Hdf5Image
   {
@@ -35,34 +38,59 @@ namespace seiche
     void
     write_attribute(const std::string &attribute, const std::string &text);
 
-    /// Array [rows] (columns = 1) or [rows][columns], row-major, with its
-    /// unit as an attribute.
+    /// Takes the next bytes.
+    using Sink = std::function<void(const char *data, const std::size_t size)>;
+
+    /// Gives the bytes of an array, row-major, to a sink.
+    using Source = std::function<void(const Sink &)>;
+
+    /// Array [rows] (columns = 1) or [rows][columns] of double, with its unit
+    /// as
+    /// an attribute. @p source is called by write().
     void
-    write_array(const std::string         &dataset,
-                const std::vector<double> &values,
-                const unsigned int         columns,
-                const std::string         &unit);
+    add_doubles(const std::string &dataset,
+                const std::size_t  rows,
+                const unsigned int columns,
+                const std::string &unit,
+                const Source      &source);
+
+    /// Array [rows] of std::uint64_t.
     void
-    write_array(const std::string                &dataset,
-                const std::vector<std::uint64_t> &values);
+    add_integers(const std::string &dataset,
+                 const std::size_t  rows,
+                 const Source      &source);
 
     void
     write_bytes(const std::string               &dataset,
                 const std::vector<std::uint8_t> &values);
 
-    /// The file as bytes.
-    std::vector<char>
-    bytes() const;
+    /// The file from its first byte to its last, once.
+    void
+    write(const Sink &sink);
 
   private:
+    /// Of an array, whose place in the file it gets at once.
     void
-    write_dataset(const std::string &dataset,
-                  const void        *values,
-                  const std::size_t  rows,
-                  const unsigned int columns,
-                  const std::int64_t memory_type,
-                  const std::int64_t file_type,
-                  const std::string &unit);
+    add_array(const std::string &dataset,
+              const std::size_t  rows,
+              const unsigned int columns,
+              const std::int64_t type,
+              const std::string &unit,
+              const Source      &source);
+
+    /// An identifier of a new dataset, to be closed.
+    std::int64_t
+    make_dataset(const std::string &dataset,
+                 const std::size_t  rows,
+                 const unsigned int columns,
+                 const std::int64_t type,
+                 const std::string &unit);
+
+    /// Bytes [begin, end) of the file in memory.
+    void
+    copy(const std::size_t begin,
+         const std::size_t end,
+         const Sink       &sink) const;
 
     void
     write_text(const std::int64_t object,
@@ -73,8 +101,17 @@ namespace seiche
     std::int64_t
     check(const std::int64_t result, const std::string &action) const;
 
+    /// Where an array stands in the file.
+    struct Hole
+    {
+      std::size_t begin, end;
+      Source      source;
+    };
+
     const std::string name, advice;
-    std::int64_t      file; // hid_t
+    int               descriptor; // of the file in memory
+    std::int64_t      file;       // hid_t
+    std::vector<Hole> holes;
   };
 } // namespace seiche
 

@@ -41,11 +41,18 @@ namespace seiche
                   const std::function<void(const std::string &)> &fill,
                   const std::function<bool(const std::string &)> &check);
 
-    /// The first @p length bytes of a file (default: all of it); FileError if
-    /// it is shorter. Local.
+    constexpr std::size_t everything = -1;
+
+    /// The first @p length bytes of a file; FileError if it is shorter. Local.
     std::string
-    read(const std::string &filename,
-         const std::size_t  length = static_cast<std::size_t>(-1));
+    read(const std::string &filename, const std::size_t length = everything);
+
+    /// The same, piece by piece to @p take(data, size).
+    void
+    read_in_pieces(
+      const std::string                                          &filename,
+      const std::function<void(const char *, const std::size_t)> &take,
+      const std::size_t length = everything);
   } // namespace checked_file
 } // namespace seiche
 

@@ -8,6 +8,12 @@
 
 namespace seiche
 {
+  /// Call a function that touches files; if it fails on any rank, all throw the
+  /// FileError of the first of them. Collective.
+  void
+  on_all_ranks(const MPI_Comm               communicator,
+               const std::function<void()> &function);
+
   /// Call a function that touches files on rank 0; if it fails there, all
   /// ranks throw the same FileError. Collective.
   void
