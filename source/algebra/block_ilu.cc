@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/algebra/block_ilu.h>
+#include <seiche/algebra/foreign_rows.h>
 #include <seiche/utilities/register.h>
 #include <seiche/utilities/storage.h>
 
@@ -78,37 +79,46 @@ namespace seiche
         : place(n_columns, none)
       {}
 
+      /// An own row.
       void
       read(const BlockMatrix<dim> &matrix,
            const unsigned int      row,
            const double            diagonal_factor)
       {
-        for (unsigned int side = 0; side < 2; ++side)
-          {
-            for (const unsigned int column : columns[side])
-              place[column] = none;
-            columns[side].clear();
-            blocks[side].clear();
-          }
+        clear();
         const NodePattern<dim> &pattern = matrix.sparsity();
         diagonal = of_entry(matrix, pattern.diagonal_of(row));
-        for (unsigned int c = 0; c < dim; ++c)
-          diagonal.column[c][c] *= diagonal_factor;
+        strengthen_diagonal(diagonal_factor);
         if (matrix.is_empty(row))
           return;
+        const unsigned int n_own = matrix.occupancy.nodes.n_own();
         for (unsigned int k = pattern.row_begin(row);
              k < pattern.row_begin(row + 1);
              ++k)
           {
             const unsigned int column = pattern.column_of(k);
-            if (column == row || column >= place.size() ||
-                matrix.is_empty(column))
-              continue;
-            const unsigned int side = column > row;
-            place[column]           = blocks[side].size();
-            columns[side].push_back(column);
-            blocks[side].push_back(of_entry(matrix, k));
+            if (column != row && !(column < n_own && matrix.is_empty(column)))
+              append(row, column, of_entry(matrix, k));
           }
+      }
+
+      /// Row @p number of those of other ranks.
+      void
+      read(const ForeignRows<dim> &rows,
+           const unsigned int      number,
+           const unsigned int      row,
+           const double            diagonal_factor)
+      {
+        clear();
+        for (unsigned int k = rows.begin[number]; k < rows.begin[number + 1];
+             ++k)
+          if (rows.column[k] == row)
+            {
+              diagonal = of_block(rows.block(k));
+              strengthen_diagonal(diagonal_factor);
+            }
+          else
+            append(row, rows.column[k], of_block(rows.block(k)));
       }
 
       /// Subtract L times a stored block from the entry of a column, if there
@@ -130,6 +140,36 @@ namespace seiche
       std::vector<Columns<dim>> blocks[2];
 
     private:
+      void
+      clear()
+      {
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            for (const unsigned int column : columns[side])
+              place[column] = none;
+            columns[side].clear();
+            blocks[side].clear();
+          }
+      }
+
+      void
+      append(const unsigned int  row,
+             const unsigned int  column,
+             const Columns<dim> &block)
+      {
+        const unsigned int side = column > row;
+        place[column]           = blocks[side].size();
+        columns[side].push_back(column);
+        blocks[side].push_back(block);
+      }
+
+      void
+      strengthen_diagonal(const double factor)
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          diagonal.column[c][c] *= factor;
+      }
+
       static Columns<dim>
       of_entry(const BlockMatrix<dim> &matrix, const unsigned int entry)
       {
@@ -137,6 +177,16 @@ namespace seiche
         Columns<dim> block;
         for (unsigned int c = 0; c < dim; ++c)
           block.column[c] = Columns<dim>::Lanes::load(matrix.column(entry, c));
+        return block;
+      }
+
+      static Columns<dim>
+      of_block(const float *values)
+      {
+        Columns<dim> block;
+        for (unsigned int c = 0; c < dim; ++c)
+          block.column[c] =
+            Columns<dim>::Lanes::load(values + c * Columns<dim>::n_rows);
         return block;
       }
 
@@ -149,9 +199,16 @@ namespace seiche
   BlockILU<dim>::initialize(const BlockMatrix<dim> &matrix,
                             const double            diagonal_factor)
   {
-    const unsigned int n = matrix.occupancy.nodes.n_own();
-    // half of the couplings of own nodes: the pattern is symmetric
-    const std::size_t n_couplings = (matrix.sparsity().row_begin(n) - n) / 2;
+    const NodePattern<dim> &pattern = matrix.sparsity();
+    const ForeignRows<dim>  foreign(matrix);
+    const unsigned int      n_own = matrix.occupancy.nodes.n_own();
+    const unsigned int      n     = n_own + foreign.begin.size() - 1;
+    overlaps                      = foreign.is_shared;
+    if (overlaps)
+      extended.reinit(pattern.make_partitioner(dim));
+    // half of the couplings: the pattern is symmetric
+    const std::size_t n_couplings =
+      (pattern.row_begin(n_own) + foreign.column.size() - n) / 2;
     for (Triangle *triangle : {&lower, &upper})
       {
         triangle->begin.assign(1, 0);
@@ -176,7 +233,10 @@ namespace seiche
     WorkRow<dim> work(n);
     for (unsigned int row = 0; row < n; ++row)
       {
-        work.read(matrix, row, diagonal_factor);
+        if (row < n_own)
+          work.read(matrix, row, diagonal_factor);
+        else
+          work.read(foreign, row - n_own, row, diagonal_factor);
         // eliminate with the rows before
         for (unsigned int l = 0; l < work.columns[0].size(); ++l)
           {
@@ -201,12 +261,27 @@ namespace seiche
   void
   BlockILU<dim>::vmult(Vector &x, const Vector &b) const
   {
-    using Lanes           = Register<n_rows>;
-    using Rows            = typename Lanes::Doubles;
-    const unsigned int n  = lower.begin.size() - 1;
-    double            *to = x.begin();
-    if (&x != &b)
-      std::copy(b.begin(), b.begin() + n * dim, to);
+    const std::size_t n = b.locally_owned_size();
+    if (!overlaps)
+      {
+        if (&x != &b)
+          std::copy(b.begin(), b.begin() + n, x.begin());
+        return solve(x.begin());
+      }
+    std::copy(b.begin(), b.begin() + n, extended.begin());
+    extended.update_ghost_values();
+    solve(extended.begin());
+    std::copy(extended.begin(), extended.begin() + n, x.begin());
+    extended.zero_out_ghost_values();
+  }
+
+  template <int dim>
+  void
+  BlockILU<dim>::solve(double *to) const
+  {
+    using Lanes          = Register<n_rows>;
+    using Rows           = typename Lanes::Doubles;
+    const unsigned int n = lower.begin.size() - 1;
 
     // one sum for each column: the additions need not wait for each other
     const auto add_block =

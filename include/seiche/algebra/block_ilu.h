@@ -9,9 +9,13 @@
 namespace seiche
 {
   /**
-   * @brief ILU(0) of the velocity block by dim x dim blocks, rank by rank.
+   * @brief ILU(0) of the velocity block by dim x dim blocks, rank by rank with a
+   * layer of overlap (restricted additive Schwarz: Cai, Sarkis 1999).
    *
-   * Couplings to other ranks and rows without fluid are left out. The factors
+   * A rank factorises its own rows and those of other ranks that they couple
+   * to, and keeps what belongs to own nodes. (Without these tau2's divergence
+   * sees a wall between ranks: 1.3 times the iterations on four.) Rows without
+   * fluid are left out. The factors
    * are kept in single precision, which a preconditioner does not notice and
    * which halves the traffic of a solve; each row is computed in double. (Saad
    * 2003, "Iterative methods for sparse linear systems", 10.3, 10.6. A scalar
@@ -25,10 +29,11 @@ namespace seiche
     using Vector = typename BlockMatrix<dim>::Vector;
 
     /// Factorise. @p diagonal_factor strengthens the diagonal before.
+    /// Collective.
     void
     initialize(const BlockMatrix<dim> &matrix, const double diagonal_factor);
 
-    /// x = (LU)^-1 b; both may be the same vector. Local.
+    /// x = (LU)^-1 b; both may be the same vector. Collective.
     void
     vmult(Vector &x, const Vector &b) const;
 
@@ -43,6 +48,10 @@ namespace seiche
   private:
     static constexpr unsigned int size = n_rows * dim;
 
+    /// Replace b by (LU)^-1 b.
+    void
+    solve(double *b) const;
+
     /// Block rows of one factor; [block][column][row] in blocks.
     struct Triangle
     {
@@ -52,9 +61,12 @@ namespace seiche
     };
 
     // apart, so that each sweep reads one stream
-    Triangle           lower;    // unit diagonal
-    Triangle           upper;    // without the diagonal
-    std::vector<float> inverses; // [row][column][row] of U's diagonal
+    // own rows, then those of other ranks
+    Triangle           lower;            // unit diagonal
+    Triangle           upper;            // without the diagonal
+    std::vector<float> inverses;         // [row][column][row] of U's diagonal
+    bool               overlaps = false; // there are several ranks
+    mutable Vector     extended;         // all rows, if so
   };
 } // namespace seiche
 

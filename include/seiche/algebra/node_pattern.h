@@ -92,6 +92,13 @@ namespace seiche
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
     make_partitioner(const unsigned int components) const;
 
+    /// Own nodes, then the others that own rows couple to.
+    const dealii::Utilities::MPI::Partitioner &
+    column_layout() const
+    {
+      return *columns;
+    }
+
     /// Global node of each column.
     dealii::types::global_dof_index
     global_column(const unsigned int index) const
