@@ -148,4 +148,28 @@ class Kratos:
         return {"wall_seconds": wall, "cpu_seconds": cpu, **result}
 
 
-CODES = {"seiche": Seiche(), "openfoam": OpenFoam(), "kratos": Kratos()}
+class PySph:
+    """PySPH of Debian by peers/pysph_dam_break.py; arguments: particle spacing and end."""
+
+    script = os.path.join(PEERS, "pysph_dam_break.py")
+
+    def is_installed(self):
+        return os.path.isdir("/usr/lib/python3/dist-packages/pysph")
+
+    def identity(self, arguments):
+        names = sorted(map(os.path.basename,
+                           glob.glob("/usr/lib/python3/dist-packages/PySPH*-info")))
+        return " ".join([*names, digest(self.script)])
+
+    def run(self, arguments, folder):
+        # the first run compiles its loops, which are kept
+        measured(["/usr/bin/python3", self.script, "0.1", "0.01", folder], folder)
+        wall, cpu = measured(["/usr/bin/python3", self.script, *arguments, folder], folder)
+        with open(os.path.join(folder, "pysph.json"), encoding="utf-8") as file:
+            result = json.load(file)
+        return {"version": self.identity(arguments).split("-py")[0].split(".egg")[0],
+                "wall_seconds": wall, "cpu_seconds": cpu,
+                "seconds_a_step": cpu / result["steps"], **result}
+
+
+CODES = {"seiche": Seiche(), "openfoam": OpenFoam(), "kratos": Kratos(), "pysph": PySph()}

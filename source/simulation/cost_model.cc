@@ -30,7 +30,7 @@ namespace seiche
                              {2, 1, false, 450., 6., 0.11, 5.5},
                              {2, 2, true, 300., 80., 0.08, 22.},
                              {2, 2, false, 300., 75., 0.11, 24.},
-                             {3, 1, true, 1200., 22., 0.25, 8.5},
+                             {3, 1, true, 1200., 22., 0.25, 8.},
                              {3, 1, false, 930., 25., 0.35, 19.},
                              {3, 2, true, 1200., 1500., 0.3, 225.},
                              {3, 2, false, 1200., 1700., 0.3, 275.}};
@@ -40,7 +40,7 @@ namespace seiche
     constexpr double viscous_share = 3., viscous_half = 4.;
 
     constexpr double kib         = 1024.;
-    constexpr double base_memory = 165. * kib * kib; // libraries
+    constexpr double base_memory = 122. * kib * kib; // libraries
     constexpr double mesh_memory = 1. * kib;         // of a cell
     // columns, cell and copies while sorting
     constexpr double point_memory = 200.;

@@ -18,9 +18,9 @@ namespace seiche
    * Gram-Schmidt, repeated where it has to be (Daniel, Gragg, Kaufman, Stewart
    * 1976), and Givens rotations.
    *
-   * One product, one application of the preconditioner and mostly one sum over
-   * the ranks an iteration, none besides: dealii::SolverFGMRES (9.4) makes two
-   * products and one application more in each solve, and solves of a few
+   * One product, one application of the preconditioner and one sum over the
+   * ranks, or two, an iteration, none besides: dealii::SolverFGMRES (9.4) makes
+   * two products and one application more in each solve, and solves of a few
    * iterations are the rule here.
    */
   class FlexibleGMRES

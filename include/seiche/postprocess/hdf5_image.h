@@ -45,8 +45,7 @@ namespace seiche
     using Source = std::function<void(const Sink &)>;
 
     /// Array [rows] (columns = 1) or [rows][columns] of double, with its unit
-    /// as
-    /// an attribute. @p source is called by write().
+    /// as an attribute. @p source is called by write().
     void
     add_doubles(const std::string &dataset,
                 const std::size_t  rows,
