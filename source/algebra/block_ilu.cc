@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/algebra/block_ilu.h>
-#include <seiche/algebra/foreign_rows.h>
-#include <seiche/utilities/register.h>
+#include <seiche/algebra/ilu_row.h>
 #include <seiche/utilities/storage.h>
-
-#include <deal.II/base/tensor.h>
 
 #include <cmath>
 #include <limits>
@@ -12,187 +9,6 @@
 namespace seiche
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// A block at work: its columns, each in a register.
-    template <int dim>
-    struct Columns
-    {
-      static constexpr unsigned int n_rows = BlockILU<dim>::n_rows;
-      using Lanes                          = Register<n_rows>;
-
-      typename Lanes::Doubles column[dim];
-
-      /// (*this) B of a stored block B.
-      Columns
-      operator*(const float *B) const
-      {
-        Columns result;
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            const float *b   = B + c * n_rows;
-            result.column[c] = column[0] * static_cast<double>(b[0]);
-            for (unsigned int j = 1; j < dim; ++j)
-              result.column[c] += column[j] * static_cast<double>(b[j]);
-          }
-        return result;
-      }
-
-      void
-      operator-=(const Columns &other)
-      {
-        for (unsigned int c = 0; c < dim; ++c)
-          column[c] -= other.column[c];
-      }
-
-      void
-      store(float *to) const
-      {
-        for (unsigned int c = 0; c < dim; ++c)
-          for (unsigned int r = 0; r < dim; ++r)
-            to[c * n_rows + r] = static_cast<float>(column[c][r]);
-      }
-
-      void
-      store_inverse(float *to) const
-      {
-        Tensor<2, dim> block;
-        for (unsigned int r = 0; r < dim; ++r)
-          for (unsigned int c = 0; c < dim; ++c)
-            block[r][c] = column[c][r];
-        block = invert(block);
-        for (unsigned int r = 0; r < dim; ++r)
-          for (unsigned int c = 0; c < dim; ++c)
-            to[c * n_rows + r] = static_cast<float>(block[r][c]);
-      }
-    };
-
-    /// The row at work: entries below and above the diagonal, and where a
-    /// column is found among them.
-    template <int dim>
-    struct WorkRow
-    {
-      static constexpr int none = -1;
-
-      explicit WorkRow(const unsigned int n_columns)
-        : place(n_columns, none)
-      {}
-
-      /// An own row.
-      void
-      read(const BlockMatrix<dim> &matrix,
-           const unsigned int      row,
-           const double            diagonal_factor)
-      {
-        clear();
-        const NodePattern<dim> &pattern = matrix.sparsity();
-        diagonal = of_entry(matrix, pattern.diagonal_of(row));
-        strengthen_diagonal(diagonal_factor);
-        if (matrix.is_empty(row))
-          return;
-        const unsigned int n_own = matrix.occupancy.nodes.n_own();
-        for (unsigned int k = pattern.row_begin(row);
-             k < pattern.row_begin(row + 1);
-             ++k)
-          {
-            const unsigned int column = pattern.column_of(k);
-            if (column != row && !(column < n_own && matrix.is_empty(column)))
-              append(row, column, of_entry(matrix, k));
-          }
-      }
-
-      /// Row @p number of those of other ranks.
-      void
-      read(const ForeignRows<dim> &rows,
-           const unsigned int      number,
-           const unsigned int      row,
-           const double            diagonal_factor)
-      {
-        clear();
-        for (unsigned int k = rows.begin[number]; k < rows.begin[number + 1];
-             ++k)
-          if (rows.column[k] == row)
-            {
-              diagonal = of_block(rows.block(k));
-              strengthen_diagonal(diagonal_factor);
-            }
-          else
-            append(row, rows.column[k], of_block(rows.block(k)));
-      }
-
-      /// Subtract L times a stored block from the entry of a column, if there
-      /// is one.
-      void
-      subtract(const unsigned int  row,
-               const unsigned int  column,
-               const Columns<dim> &L,
-               const float        *B)
-      {
-        if (column == row)
-          diagonal -= L * B;
-        else if (place[column] != none)
-          blocks[column > row][place[column]] -= L * B;
-      }
-
-      Columns<dim>              diagonal;
-      std::vector<unsigned int> columns[2]; ///< of L, of U
-      std::vector<Columns<dim>> blocks[2];
-
-    private:
-      void
-      clear()
-      {
-        for (unsigned int side = 0; side < 2; ++side)
-          {
-            for (const unsigned int column : columns[side])
-              place[column] = none;
-            columns[side].clear();
-            blocks[side].clear();
-          }
-      }
-
-      void
-      append(const unsigned int  row,
-             const unsigned int  column,
-             const Columns<dim> &block)
-      {
-        const unsigned int side = column > row;
-        place[column]           = blocks[side].size();
-        columns[side].push_back(column);
-        blocks[side].push_back(block);
-      }
-
-      void
-      strengthen_diagonal(const double factor)
-      {
-        for (unsigned int c = 0; c < dim; ++c)
-          diagonal.column[c][c] *= factor;
-      }
-
-      static Columns<dim>
-      of_entry(const BlockMatrix<dim> &matrix, const unsigned int entry)
-      {
-        // rows beyond those of the displacement mean nothing
-        Columns<dim> block;
-        for (unsigned int c = 0; c < dim; ++c)
-          block.column[c] = Columns<dim>::Lanes::load(matrix.column(entry, c));
-        return block;
-      }
-
-      static Columns<dim>
-      of_block(const float *values)
-      {
-        Columns<dim> block;
-        for (unsigned int c = 0; c < dim; ++c)
-          block.column[c] =
-            Columns<dim>::Lanes::load(values + c * Columns<dim>::n_rows);
-        return block;
-      }
-
-      std::vector<int> place;
-    };
-  } // namespace
 
   template <int dim>
   void
@@ -217,9 +33,9 @@ namespace seiche
       }
     inverses.assign(n * size, 0.f);
 
-    const auto append = [](Triangle                        &triangle,
-                           const std::vector<unsigned int> &columns,
-                           const std::vector<Columns<dim>> &blocks) {
+    const auto append = [](Triangle                         &triangle,
+                           const std::vector<unsigned int>  &columns,
+                           const std::vector<ILUBlock<dim>> &blocks) {
       const std::size_t first = triangle.blocks.size();
       triangle.column.insert(triangle.column.end(),
                              columns.begin(),
@@ -230,7 +46,7 @@ namespace seiche
       triangle.begin.push_back(triangle.column.size());
     };
 
-    WorkRow<dim> work(n);
+    ILURow<dim> work(n);
     for (unsigned int row = 0; row < n; ++row)
       {
         if (row < n_own)
@@ -240,9 +56,9 @@ namespace seiche
         // eliminate with the rows before
         for (unsigned int l = 0; l < work.columns[0].size(); ++l)
           {
-            const unsigned int other = work.columns[0][l];
-            const Columns<dim> L = work.blocks[0][l] * &inverses[other * size];
-            work.blocks[0][l]    = L;
+            const unsigned int  other = work.columns[0][l];
+            const ILUBlock<dim> L = work.blocks[0][l] * &inverses[other * size];
+            work.blocks[0][l]     = L;
             for (unsigned int u = upper.begin[other];
                  u < upper.begin[other + 1];
                  ++u)

@@ -23,8 +23,9 @@ namespace seiche
 
   namespace
   {
+    /// More than the headers and attributes of all arrays take.
     constexpr std::size_t metadata_size = std::size_t(1) << 14;
-  }
+  } // namespace
 
   Hdf5Image::Hdf5Image(const std::string &name_in_messages,
                        const std::string &way_out)

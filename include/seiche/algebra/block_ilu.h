@@ -2,7 +2,7 @@
 #ifndef seiche_algebra_block_ilu_h
 #define seiche_algebra_block_ilu_h
 
-#include <seiche/algebra/block_matrix.h>
+#include <seiche/algebra/foreign_rows.h>
 
 #include <vector>
 
@@ -43,7 +43,7 @@ namespace seiche
     growth(const BlockMatrix<dim> &matrix) const;
 
     /// Rows of a stored block: padded, so that a column fills a register.
-    static constexpr unsigned int n_rows = dim == 3 ? 4 : dim;
+    static constexpr unsigned int n_rows = ForeignRows<dim>::n_rows;
 
   private:
     static constexpr unsigned int size = n_rows * dim;
