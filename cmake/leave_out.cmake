@@ -8,11 +8,21 @@
 set(SEICHE_LEAVE_OUT "gmsh|TK[A-Za-z0-9]+" CACHE STRING
   "Libraries of deal.II to leave out at start, a regular expression; empty: none")
 
-list(GET DEAL_II_LIBRARIES_RELEASE 0 deal_ii_library)
+# Each has names of its own that it asks for.
+if(CMAKE_BUILD_TYPE STREQUAL Debug)
+  list(GET DEAL_II_LIBRARIES_DEBUG 0 deal_ii_library)
+else()
+  list(GET DEAL_II_LIBRARIES_RELEASE 0 deal_ii_library)
+endif()
 if(SEICHE_LEAVE_OUT)
   execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${deal_ii_library} OUTPUT_VARIABLE needed)
   execute_process(COMMAND ldd ${deal_ii_library} OUTPUT_VARIABLE loaded)
   string(REGEX MATCHALL "NEEDED +lib(${SEICHE_LEAVE_OUT})\\.so\\.[0-9.]+" needed "${needed}")
+endif()
+# Those of an earlier choice would still be found.
+if(NOT "${SEICHE_LEAVE_OUT}" STREQUAL "${SEICHE_LEFT_OUT}")
+  file(REMOVE_RECURSE ${PROJECT_BINARY_DIR}/left_out)
+  set(SEICHE_LEFT_OUT "${SEICHE_LEAVE_OUT}" CACHE INTERNAL "")
 endif()
 set(stand_ins)
 foreach(line ${needed})
@@ -20,6 +30,10 @@ foreach(line ${needed})
   set(name ${CMAKE_MATCH_1})
   set(version ${CMAKE_MATCH_2})
   string(REGEX MATCH "=> ([^ \n]*/${file}) " found "${loaded}")
+  if(NOT found)
+    message(FATAL_ERROR "${file}, which ${deal_ii_library} needs, is not found: install "
+      "it, or configure with -D SEICHE_LEAVE_OUT=\"\".")
+  endif()
   set(source ${PROJECT_BINARY_DIR}/left_out/${name}.c)
   add_custom_command(OUTPUT ${source}
     COMMAND sh ${PROJECT_SOURCE_DIR}/cmake/stand_in.sh ${CMAKE_MATCH_1} ${deal_ii_library}

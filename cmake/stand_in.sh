@@ -5,12 +5,14 @@
 # CALLER takes from LIBRARY, and nothing behind them: a function that is called
 # all the same says so and ends the program.
 set -e
+export LC_ALL=C # sort and join must agree
 names() {
   nm -D -P "$1" "$2" | sed 's/@[^ ]*//' | sort
 }
 wanted=$(mktemp)
 trap 'rm -f "$wanted"' EXIT
 names --undefined-only "$2" | awk '{ print $1 }' > "$wanted"
+[ -s "$wanted" ]
 cat << END
 #include <stdio.h>
 #include <stdlib.h>

@@ -213,7 +213,7 @@ def install(folder):
 
 def cached(name):
     """Of the build that is installed."""
-    return re.search(rf"^{name}:\w+=(\S+)$", (BUILD / "CMakeCache.txt").read_text(), re.M).group(1)
+    return re.search(rf"^{name}:\w+=(\S*)$", (BUILD / "CMakeCache.txt").read_text(), re.M).group(1)
 
 
 with tempfile.TemporaryDirectory() as name:
