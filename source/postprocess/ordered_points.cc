@@ -4,7 +4,11 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <exception>
+#include <limits>
+#include <new>
 #include <numeric>
 
 namespace seiche
@@ -14,6 +18,7 @@ namespace seiche
   namespace
   {
     constexpr std::size_t   rows_a_message = std::size_t(1) << 16;
+    constexpr std::size_t   samples_a_rank = 1000; // shares within 0.1 %
     constexpr std::uint64_t no_array       = -1;
     constexpr int           tag            = 7001; // of requests and rows
 
@@ -33,6 +38,9 @@ namespace seiche
         const int error = MPI_Alltoall(
           sent.data(), 1, MPI_INT, received.data(), 1, MPI_INT, communicator);
         AssertThrowMPI(error);
+        AssertThrow(std::accumulate(received.begin(), received.end(), 0.) <=
+                      std::numeric_limits<int>::max(),
+                    ExcMessage("more than 2^31 points on a rank"));
         std::partial_sum(sent.begin(), sent.end() - 1, sent_begin.begin() + 1);
         std::partial_sum(received.begin(),
                          received.end() - 1,
@@ -45,7 +53,8 @@ namespace seiche
       operator()(const std::vector<Number> &values) const
       {
         const auto          type = Utilities::MPI::mpi_type_id_for_type<Number>;
-        std::vector<Number> result(received_begin.back() + received.back());
+        std::vector<Number> result(std::size_t(received_begin.back()) +
+                                   received.back());
         const int           error = MPI_Alltoallv(values.data(),
                                         sent.data(),
                                         sent_begin.data(),
@@ -89,24 +98,60 @@ namespace seiche
   }
 
   template <int dim>
+  std::vector<std::uint64_t>
+  OrderedPoints<dim>::find_limits() const
+  {
+    // ids of bodies lie far apart: samples, each for as many points of its rank
+    std::vector<std::uint64_t> sorted = ids;
+    std::sort(sorted.begin(), sorted.end());
+    using Sample = std::array<std::uint64_t, 2>; // id, points
+    std::vector<Sample> samples;
+    const std::size_t   stride = sorted.size() / samples_a_rank + 1;
+    for (std::size_t i = 0; i < sorted.size(); i += stride)
+      samples.push_back({sorted[i], std::min(stride, sorted.size() - i)});
+    std::vector<Sample> all;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(points.communicator, samples))
+      all.insert(all.end(), of_rank.begin(), of_rank.end());
+    std::sort(all.begin(), all.end());
+    std::uint64_t n_points = 0;
+    for (const Sample &sample : all)
+      n_points += sample[1];
+
+    const unsigned int n_ranks =
+      Utilities::MPI::n_mpi_processes(points.communicator);
+    std::vector<std::uint64_t> limits;
+    std::uint64_t              before = 0;
+    for (const auto &[id, n] : all)
+      {
+        while (limits.size() + 1 < n_ranks &&
+               before * n_ranks >= (limits.size() + 1) * n_points)
+          limits.push_back(id);
+        before += n;
+      }
+    limits.resize(n_ranks - 1, std::numeric_limits<std::uint64_t>::max());
+    return limits;
+  }
+
+  template <int dim>
   void
   OrderedPoints<dim>::exchange()
   {
     const unsigned int n_ranks =
       Utilities::MPI::n_mpi_processes(points.communicator);
-    std::uint64_t largest = 0;
-    for (const std::uint64_t id : ids)
-      largest = std::max(largest, id);
-    largest = Utilities::MPI::max(largest, points.communicator);
-    const std::uint64_t range = largest / n_ranks + 1;
+    const auto limits  = find_limits();
+    const auto rank_of = [&limits](const std::uint64_t id) {
+      return std::upper_bound(limits.begin(), limits.end(), id) -
+             limits.begin();
+    };
 
     std::vector<int> counts(n_ranks, 0);
     for (const std::uint64_t id : ids)
-      ++counts[id / range];
+      ++counts[rank_of(id)];
     std::vector<std::size_t> next(n_ranks, 0), place(ids.size());
     std::partial_sum(counts.begin(), counts.end() - 1, next.begin() + 1);
     for (std::size_t i = 0; i < ids.size(); ++i)
-      place[next[ids[i] / range]++] = i;
+      place[next[rank_of(ids[i])]++] = i;
 
     const Exchange exchanged(points.communicator, counts);
     const auto     by_rank = [&](const auto *values) {
@@ -154,6 +199,7 @@ namespace seiche
   void
   OrderedPoints<dim>::hand_out() const
   {
+    std::exception_ptr failure;
     while (true)
       {
         Request request;
@@ -165,12 +211,21 @@ namespace seiche
                  points.communicator,
                  MPI_STATUS_IGNORE);
         if (request.array == no_array)
-          return;
-        const std::vector<char> asked =
-          rows(arrays[request.array], request.begin, request.end);
+          break;
+        std::vector<char> asked; // none: there is no memory for them
+        try
+          {
+            asked = rows(arrays[request.array], request.begin, request.end);
+          }
+        catch (const std::bad_alloc &)
+          {
+            failure = std::current_exception();
+          }
         MPI_Send(
           asked.data(), asked.size(), MPI_BYTE, 0, tag, points.communicator);
       }
+    if (failure)
+      std::rethrow_exception(failure);
   }
 
   template <int dim>
@@ -211,17 +266,23 @@ namespace seiche
               sink(own.data(), own.size());
               continue;
             }
-          const Request request = {array, begin, end};
-          MPI_Send(&request, 3, MPI_UINT64_T, rank, tag, points.communicator);
+          // before rows are asked for: they must be received
           std::vector<char> theirs((end - begin) *
                                    arrays[array].bytes_of_row());
+          const Request     request = {array, begin, end};
+          MPI_Send(&request, 3, MPI_UINT64_T, rank, tag, points.communicator);
+          MPI_Status status;
           MPI_Recv(theirs.data(),
                    theirs.size(),
                    MPI_BYTE,
                    rank,
                    tag,
                    points.communicator,
-                   MPI_STATUS_IGNORE);
+                   &status);
+          int n_bytes = 0;
+          MPI_Get_count(&status, MPI_BYTE, &n_bytes);
+          if (n_bytes == 0)
+            throw std::bad_alloc();
           sink(theirs.data(), theirs.size());
         }
   }

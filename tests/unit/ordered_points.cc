@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The points of all ranks in a file: in the order of their ids, each with its
-// own columns, whole in spite of many messages; and a writer that fails leaves
-// no rank waiting.
+// own columns, whole in spite of many messages, shared out among the ranks
+// though the ids of two bodies lie far apart; and a writer that fails leaves no
+// rank waiting.
 #include <seiche/postprocess/hdf5_reader.h>
 #include <seiche/postprocess/ordered_points.h>
 #include <seiche/utilities/checked_file.h>
@@ -51,6 +52,21 @@ namespace
           ", columns together ",
           verdict(own));
   }
+  template <typename Action>
+  void
+  fails(const std::string &name, const Action &action)
+  {
+    bool failed = false;
+    try
+      {
+        action();
+      }
+    catch (const seiche::FileError &)
+      {
+        failed = true;
+      }
+    print(name, " fails ", verdict(failed));
+  }
 } // namespace
 
 int
@@ -63,6 +79,8 @@ main(int argc, char **argv)
     "set Upper corner = 4, 4\n set Cell size = 0.05\nend\n"
     "subsection Fluid body a\n set Lower corner = 0, 0\n"
     "set Upper corner = 4, 3\nend\n"
+    "subsection Fluid body b\n set Lower corner = 0, 3\n"
+    "set Upper corner = 1, 3.5\nend\n"
     "subsection Points\n"
     "set Per cell and direction = 7\nend\n",
     1000.,
@@ -79,15 +97,20 @@ main(int argc, char **argv)
   if (dealii::Utilities::MPI::this_mpi_process(points.communicator) == 0)
     read("points.h5", n);
 
-  bool failed = false;
-  try
-    {
-      ordered.while_rows_are_handed_out(
-        [&]() { write(ordered, "no such folder/points.h5"); });
-    }
-  catch (const seiche::FileError &)
-    {
-      failed = true;
-    }
-  print("a writer without its folder fails ", verdict(failed));
+  fails("a writer without its folder", [&]() {
+    ordered.while_rows_are_handed_out(
+      [&]() { write(ordered, "no such folder/points.h5"); });
+  });
+  fails("a writer whose disk is full after some rows", [&]() {
+    ordered.while_rows_are_handed_out([&]() {
+      seiche::Hdf5Image image("points.h5");
+      ordered.add_to(image);
+      std::size_t room = n * 8;
+      image.write([&room](const char *, const std::size_t size) {
+        if (size > room)
+          throw seiche::FileError("full");
+        room -= size;
+      });
+    });
+  });
 }

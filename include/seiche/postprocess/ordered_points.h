@@ -14,8 +14,9 @@ namespace seiche
    * @brief The points of all ranks in the order of their ids, for files that do
    * not depend on the number of ranks.
    *
-   * Each rank gets the points of a range of ids; rank 0, which writes, asks for
-   * rows when their turn comes, so that no rank ever holds more than its range.
+   * Each rank gets the points of a range of ids, about as many as the others;
+   * rank 0, which writes, asks for rows when their turn comes, so that no rank
+   * ever holds more than its range.
    */
   template <int dim>
   class OrderedPoints
@@ -23,6 +24,10 @@ namespace seiche
   public:
     /// @p points must outlive this and not change. Collective.
     explicit OrderedPoints(const PointCloud<dim> &points);
+
+    OrderedPoints(const OrderedPoints &) = delete; // arrays are its own
+    OrderedPoints &
+    operator=(const OrderedPoints &) = delete;
 
     /// Call @p write on rank 0, where the arrays may be written meanwhile; the
     /// others hand out their rows until it returns or throws. Collective.
@@ -56,10 +61,16 @@ namespace seiche
       std::uint64_t array, begin, end; // rows of that rank
     };
 
+    /// The first id of each rank but the first.
+    std::vector<std::uint64_t>
+    find_limits() const;
+
     /// Send each rank its range of ids.
     void
     exchange();
 
+    /// What rank 0 asks for, until it has enough; throws then if there was no
+    /// memory for it.
     void
     hand_out() const;
 

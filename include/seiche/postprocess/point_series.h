@@ -10,8 +10,8 @@ namespace seiche
   /**
    * @brief The material points in full precision: points_NNNNNN.h5.
    *
-   * One file a frame, gathered on rank 0 and sorted by id, so that it does
-   * not depend on the number of ranks. Datasets: `id`, and every column that
+   * One file a frame, written by rank 0 and sorted by id, so that it does not
+   * depend on the number of ranks. Datasets: `id`, and every column that
    * the points carry under its name in the table of columns, [n] or
    * [n][components], with attribute `unit`. Attributes of the file: `time`
    * and `pressure_time` [s], `step`, `dim`.
