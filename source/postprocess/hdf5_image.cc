@@ -40,21 +40,45 @@ namespace seiche
                             H5Pclose);
     // all of it in one place, before the arrays
     check(H5Pset_meta_block_size(access.id, metadata_size), "set up");
-    // (not memfd_create(): HDF5 follows the link to it, which leads nowhere)
-    std::string path = "/dev/shm/seiche-XXXXXX";
-    descriptor       = ::mkstemp(path.data());
-    check(descriptor, "make " + path);
-    const bool has_room =
-      ::posix_fallocate(descriptor, 0, 2 * metadata_size) == 0;
-    if (has_room)
-      file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id);
+    const std::string path = make_file();
+    file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id);
     ::unlink(path.c_str());
-    if (file < 0)
-      ::close(descriptor);
-    check(file, "create a file");
+    // room for what HDF5 could not do without when it closes the file
+    if (file < 0 ||
+        ::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, 0, 2 * metadata_size) != 0)
+      {
+        const int error = file < 0 ? 0 : errno;
+        close();
+        posix_file::fail(name, "make a file in memory for", error, 0);
+      }
+  }
+
+  std::string
+  Hdf5Image::make_file()
+  {
+    // (not memfd_create(): HDF5 follows the link to it, which leads nowhere)
+    const char *temporary = std::getenv("TMPDIR");
+    for (const std::string folder :
+         {"/dev/shm", temporary != nullptr ? temporary : "/tmp"})
+      {
+        std::string path = folder + "/seiche-XXXXXX";
+        descriptor       = ::mkstemp(path.data());
+        if (descriptor >= 0)
+          return path;
+      }
+    posix_file::fail(name,
+                     "make a file in /dev/shm or, without one, in TMPDIR for",
+                     errno,
+                     0);
   }
 
   Hdf5Image::~Hdf5Image()
+  {
+    close();
+  }
+
+  void
+  Hdf5Image::close()
   {
     if (file >= 0)
       H5Fclose(file);
@@ -124,6 +148,12 @@ namespace seiche
                           const std::int64_t type,
                           const std::string &unit)
   {
+    // beyond this limit HDF5 would crash when it closes the file
+    arrays_size += rows * columns * H5Tget_size(type);
+    rlimit limit;
+    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 &&
+        arrays_size + 4 * metadata_size > limit.rlim_cur)
+      posix_file::fail(name, "write", EFBIG, 0);
     const hsize_t    size[2] = {rows, columns};
     const Hdf5Handle space(
       check(H5Screate_simple(columns > 1 ? 2 : 1, size, nullptr),
@@ -143,8 +173,16 @@ namespace seiche
                                              creation.id,
                                              H5P_DEFAULT),
                                   "make dataset " + dataset);
-    if (!unit.empty())
-      write_text(identifier, "unit", unit);
+    try
+      {
+        if (!unit.empty())
+          write_text(identifier, "unit", unit);
+      }
+    catch (...)
+      {
+        H5Dclose(identifier); // or the file would not close
+        throw;
+      }
     return identifier;
   }
 
@@ -156,19 +194,14 @@ namespace seiche
                        const std::string &unit,
                        const Source      &source)
   {
-    const std::size_t size   = rows * columns * H5Tget_size(type);
-    const std::size_t before = holes.empty() ? 0 : holes.back().end;
-    // beyond this limit HDF5 would crash when it closes the file
-    rlimit limit;
-    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 &&
-        before + size + 4 * metadata_size > limit.rlim_cur)
-      posix_file::fail(name, "write", EFBIG, 0);
     const Hdf5Handle handle(make_dataset(dataset, rows, columns, type, unit),
                             H5Dclose);
     if (rows == 0)
       return; // it has no place
-    const std::size_t begin = H5Dget_offset(handle.id);
-    holes.push_back({begin, begin + size, source});
+    const haddr_t begin = H5Dget_offset(handle.id);
+    check(begin != HADDR_UNDEF ? 0 : -1, "place dataset " + dataset);
+    holes.push_back(
+      {begin, begin + rows * columns * H5Tget_size(type), source});
   }
 
   void

@@ -49,7 +49,7 @@ namespace seiche
     verified(const std::string &filename)
     {
       const std::size_t length = Digest().last_line().size();
-      std::error_code   error; // none is met: the file is read
+      std::error_code   error; // met again by the reading, which reports it
       const auto        all  = std::filesystem::file_size(filename, error);
       const std::size_t rest = error || all < length ? 0 : all - length;
       Digest            digest;

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <filesystem>
 #include <locale>
+#include <memory>
 #include <streambuf>
 #include <vector>
 
@@ -248,6 +249,9 @@ namespace seiche
     const int descriptor = open_file(filename, O_RDONLY);
     if (descriptor < 0)
       fail(filename, "open", errno, 0);
+    const auto close_file = [](const int *file) { ::close(*file); };
+    const std::unique_ptr<const int, decltype(close_file)> closing(&descriptor,
+                                                                   close_file);
     std::vector<char> piece(std::size_t(1) << 20);
     std::size_t       done = 0;
     ssize_t           n    = 1;
@@ -263,10 +267,8 @@ namespace seiche
         take(piece.data(), n);
         done += n;
       }
-    const int error = errno;
-    ::close(descriptor);
     if (n < 0)
-      fail(filename, "read", error, done);
+      fail(filename, "read", errno, done);
     if (length != everything && done < length)
       fail(filename, "read", 0, done);
   }

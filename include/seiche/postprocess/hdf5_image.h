@@ -68,6 +68,13 @@ namespace seiche
     write(const Sink &sink);
 
   private:
+    /// Open a new file in memory, or where temporary files are; its name.
+    std::string
+    make_file();
+
+    void
+    close();
+
     /// Of an array, whose place in the file it gets at once.
     void
     add_array(const std::string &dataset,
@@ -108,8 +115,9 @@ namespace seiche
     };
 
     const std::string name, advice;
-    int               descriptor; // of the file in memory
-    std::int64_t      file;       // hid_t
+    int               descriptor;      // of the file in memory
+    std::int64_t      file;            // hid_t
+    std::size_t       arrays_size = 0; // all of them, whether in it or not
     std::vector<Hole> holes;
   };
 } // namespace seiche
