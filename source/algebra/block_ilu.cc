@@ -13,13 +13,13 @@ namespace seiche
   template <int dim>
   void
   BlockILU<dim>::initialize(const BlockMatrix<dim> &matrix,
+                            const ForeignRows<dim> &foreign,
                             const double            diagonal_factor)
   {
     const NodePattern<dim> &pattern = matrix.sparsity();
-    const ForeignRows<dim>  foreign(matrix);
-    const unsigned int      n_own = matrix.occupancy.nodes.n_own();
-    const unsigned int      n     = n_own + foreign.begin.size() - 1;
-    overlaps                      = foreign.is_shared;
+    const unsigned int      n_own   = matrix.occupancy.nodes.n_own();
+    const unsigned int      n       = n_own + foreign.begin.size() - 1;
+    overlaps                        = foreign.is_shared;
     if (overlaps)
       extended.reinit(pattern.make_partitioner(dim));
     // half of the couplings: the pattern is symmetric

@@ -98,9 +98,10 @@ namespace seiche
   void
   BlockPreconditioner<dim>::make_ilu()
   {
+    const ForeignRows<dim> foreign(*matrix);
     for (const double factor : ilu_diagonal_factors)
       {
-        ilu.initialize(*matrix, factor);
+        ilu.initialize(*matrix, foreign, factor);
         if (ilu.growth(*matrix) < ilu_unstable_above)
           return;
       }

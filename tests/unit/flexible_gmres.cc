@@ -71,6 +71,26 @@ namespace
     return A;
   }
 
+  /// Nearly dependent columns: directions that are made orthogonal once are
+  /// not orthogonal.
+  FullMatrix<double>
+  hilbert_matrix(const unsigned int n)
+  {
+    FullMatrix<double> A(n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        A(i, j) = 1. / (1. + i + j);
+    return A;
+  }
+
+  Vector
+  ones(const unsigned int n)
+  {
+    Vector b(1, n);
+    b = 1.;
+    return b;
+  }
+
   void
   test(const std::string        &name,
        const FullMatrix<double> &A,
@@ -115,10 +135,10 @@ main()
       test(size + "1e-8", make_matrix(n), b, 1e-8, 1000);
       test(size + "two iterations", make_matrix(n), b, 1e-12, 2);
     }
+  test("Hilbert matrix", hilbert_matrix(12), ones(12), 1e-8, 100);
   const Vector zero(1, 5);
   test("zero", make_matrix(5), zero, 1e-8, 10);
-  Vector b(1, 5);
-  b = 1.;
+  const Vector       b = ones(5);
   FullMatrix<double> singular(5);
   test("zero matrix", singular, b, 1e-8, 10);
   singular(0, 0) = 1.;

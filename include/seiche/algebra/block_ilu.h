@@ -14,8 +14,8 @@ namespace seiche
    *
    * A rank factorises its own rows and those of other ranks that they couple
    * to, and keeps what belongs to own nodes. (Without these tau2's divergence
-   * sees a wall between ranks: 1.3 times the iterations on four.) Rows without
-   * fluid are left out. The factors
+   * sees a wall between ranks: 1.3 times the iterations on four.) Own rows
+   * without fluid are left out. The factors
    * are kept in single precision, which a preconditioner does not notice and
    * which halves the traffic of a solve; each row is computed in double. (Saad
    * 2003, "Iterative methods for sparse linear systems", 10.3, 10.6. A scalar
@@ -28,10 +28,12 @@ namespace seiche
   public:
     using Vector = typename BlockMatrix<dim>::Vector;
 
-    /// Factorise. @p diagonal_factor strengthens the diagonal before.
-    /// Collective.
+    /// Factorise. @p foreign: of the same matrix; @p diagonal_factor
+    /// strengthens the diagonal before. Collective.
     void
-    initialize(const BlockMatrix<dim> &matrix, const double diagonal_factor);
+    initialize(const BlockMatrix<dim> &matrix,
+               const ForeignRows<dim> &foreign,
+               const double            diagonal_factor);
 
     /// x = (LU)^-1 b; both may be the same vector. Collective.
     void

@@ -19,9 +19,9 @@ namespace seiche
    * 1976), and Givens rotations.
    *
    * One product, one application of the preconditioner and one sum over the
-   * ranks, or two, an iteration, none besides: dealii::SolverFGMRES (9.4) makes
-   * two products and one application more in each solve, and solves of a few
-   * iterations are the rule here.
+   * ranks, or two, an iteration, and a norm at the start: dealii::SolverFGMRES
+   * (9.4) makes two products and one application more in each solve, and solves
+   * of a few iterations are the rule here.
    */
   class FlexibleGMRES
   {
