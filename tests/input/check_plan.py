@@ -212,7 +212,7 @@ def check_limits(program, problems):
                 problems.append(f"{overrides}: {seconds} s, {usage.ru_maxrss} kB")
         expect(problems, program, folder, huge, 2, "larger cells")
         expect(problems, program, folder, ["Time/End time = 1e300"], 2, "2^32 steps")
-        expect(problems, program, folder, ["Time/End time = 4.2e7"], 0,
+        expect(problems, program, folder, ["Time/End time = 4e7", "Grid/Cell size = 0.05"], 0,
                "years of processor time")
         expect(problems, program, folder,
                ["Time/End time = 1000", "Output/Interval = 0.001",
