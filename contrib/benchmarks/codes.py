@@ -149,7 +149,8 @@ class Kratos:
 
 
 class PySph:
-    """PySPH of Debian by peers/pysph_dam_break.py; arguments: particle spacing and end."""
+    """PySPH of Debian by peers/pysph_dam_break.py; arguments: particle spacing and end.
+    seconds_a_step is of the whole process."""
 
     script = os.path.join(PEERS, "pysph_dam_break.py")
 
