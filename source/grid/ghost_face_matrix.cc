@@ -13,34 +13,50 @@ namespace seiche
   GhostFaceMatrix<dim, degree>::evaluate(const GhostFace      &face,
                                          const Occupancy<dim> &occupancy)
   {
-    const auto &locator = occupancy.locator;
-    h = 0.5 * (locator.cells.geometry(face.lower).edges[face.direction] +
-               locator.cells.geometry(face.upper).edges[face.direction]);
-    if (degree == 1 &&
-        locator.cells.level(face.lower) == locator.cells.level(face.upper) &&
-        occupancy.template unknowns<degree>(face.lower).matrix == nullptr &&
-        occupancy.template unknowns<degree>(face.upper).matrix == nullptr)
+    find_nodes(face, occupancy);
+    if (is_conforming(face, occupancy))
       evaluate_conforming(face, occupancy);
     else
       integrate(face, occupancy);
   }
 
   template <int dim, int degree>
-  void
-  GhostFaceMatrix<dim, degree>::evaluate_conforming(
-    const GhostFace      &face,
-    const Occupancy<dim> &occupancy)
+  bool
+  GhostFaceMatrix<dim, degree>::is_conforming(const GhostFace      &face,
+                                              const Occupancy<dim> &occupancy)
   {
-    const auto        &locator = occupancy.locator;
-    const unsigned int n       = face.direction;
-    const double       h_lower = locator.cells.geometry(face.lower).edges[n];
-    const double       h_upper = locator.cells.geometry(face.upper).edges[n];
-    // jump of the normal derivative in terms of the three nodes on a line
-    const double jump[3] = {1. / h_lower,
-                            -1. / h_lower - 1. / h_upper,
-                            1. / h_upper};
+    const auto &cells = occupancy.locator.cells;
+    return degree == 1 && cells.level(face.lower) == cells.level(face.upper) &&
+           occupancy.template unknowns<degree>(face.lower).matrix == nullptr &&
+           occupancy.template unknowns<degree>(face.upper).matrix == nullptr;
+  }
 
+  template <int dim, int degree>
+  void
+  GhostFaceMatrix<dim, degree>::find_nodes(const GhostFace      &face,
+                                           const Occupancy<dim> &occupancy)
+  {
+    const auto &cells = occupancy.locator.cells;
+    h = 0.5 * (cells.geometry(face.lower).edges[face.direction] +
+               cells.geometry(face.upper).edges[face.direction]);
+    if (is_conforming(face, occupancy))
+      return find_lines(face, occupancy);
+    constexpr unsigned int n = Shape::n_nodes;
+    n_nodes                  = 2 * n;
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        nodes[a]     = occupancy.template unknowns<degree>(face.lower)[a];
+        nodes[n + a] = occupancy.template unknowns<degree>(face.upper)[a];
+      }
+  }
+
+  template <int dim, int degree>
+  void
+  GhostFaceMatrix<dim, degree>::find_lines(const GhostFace      &face,
+                                           const Occupancy<dim> &occupancy)
+  {
     // node (s, t): position s = 0, 1, 2 along the normal, t within the face
+    const unsigned int     n      = face.direction;
     constexpr unsigned int n_face = 1u << (dim - 1);
     n_nodes                       = 3 * n_face;
     const auto corner             = [&](const unsigned int t,
@@ -59,7 +75,25 @@ namespace seiche
         nodes[n_face + t]     = lower[corner(t, 1)];
         nodes[2 * n_face + t] = upper[corner(t, 1)];
       }
+  }
 
+  template <int dim, int degree>
+  void
+  GhostFaceMatrix<dim, degree>::evaluate_conforming(
+    const GhostFace      &face,
+    const Occupancy<dim> &occupancy)
+  {
+    const auto        &locator = occupancy.locator;
+    const unsigned int n       = face.direction;
+    const double       h_lower = locator.cells.geometry(face.lower).edges[n];
+    const double       h_upper = locator.cells.geometry(face.upper).edges[n];
+    // jump of the normal derivative in terms of the three nodes on a line
+    const double jump[3] = {1. / h_lower,
+                            -1. / h_lower - 1. / h_upper,
+                            1. / h_upper};
+
+    constexpr unsigned int n_face = 1u
+                                    << (dim - 1); // node (s, t): find_lines()
     for (unsigned int t = 0; t < n_face; ++t)
       for (unsigned int r = 0; r < n_face; ++r)
         {
@@ -123,12 +157,6 @@ namespace seiche
     const Point<dim>   begin = locator.cells.geometry(small).lower;
     const auto        &size  = locator.cells.geometry(small).edges;
 
-    n_nodes = 2 * n;
-    for (unsigned int a = 0; a < n; ++a)
-      {
-        nodes[a]     = occupancy.template unknowns<degree>(face.lower)[a];
-        nodes[n + a] = occupancy.template unknowns<degree>(face.upper)[a];
-      }
     for (auto &row : B)
       std::fill(std::begin(row), std::end(row), 0.);
     static const QGauss<dim - 1> quadrature(degree + 1);

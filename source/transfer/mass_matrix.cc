@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/grid/ghost_face_matrix.h>
 #include <seiche/space/point_batch.h>
 #include <seiche/transfer/mass_matrix.h>
 #include <seiche/utilities/exceptions.h>
@@ -118,24 +119,38 @@ namespace seiche
 
   template <int dim>
   void
+  MassMatrix<dim>::add_product(const Block  &block,
+                               const double *src,
+                               double       *dst) const
+  {
+    constexpr unsigned int most   = GhostFaceMatrix<dim, max_degree>::max_nodes;
+    const unsigned int     n      = block.nodes.size();
+    const double          *column = matrices[block.matrix].data();
+    double                 product[dim][most];
+    for (auto &component : product)
+      std::fill_n(component, n, 0.);
+    for (unsigned int b = 0; b < n; ++b, column += n)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const double value = block.factor * src[dim * block.nodes[b] + c];
+#pragma omp simd
+          for (unsigned int a = 0; a < n; ++a)
+            product[c][a] += column[a] * value;
+        }
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int c = 0; c < dim; ++c)
+        dst[dim * block.nodes[a] + c] += product[c][a];
+  }
+
+  template <int dim>
+  void
   MassMatrix<dim>::vmult(Field &dst, const Field &src) const
   {
     src.update_ghost_values();
     dst = 0.;
     dst.zero_out_ghost_values();
     for (const Block &block : blocks)
-      {
-        const unsigned int n = block.nodes.size();
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              double sum = 0.;
-              for (unsigned int b = 0; b < n; ++b)
-                sum += block.values[a * n + b] *
-                       src.block(0).local_element(dim * block.nodes[b] + c);
-              dst.block(0).local_element(dim * block.nodes[a] + c) += sum;
-            }
-      }
+      add_product(block, src.block(0).begin(), dst.block(0).begin());
     if (!edge_cells.empty())
       occupancy.for_each_degree([&](const auto degree) {
         this->template add_edge_cells<degree>(dst, src);

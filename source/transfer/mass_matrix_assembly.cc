@@ -52,7 +52,7 @@ namespace seiche
       for (unsigned int a = 0; a < block.nodes.size(); ++a)
         for (unsigned int c = 0; c < dim; ++c)
           inverse_diagonal.block(0).local_element(dim * block.nodes[a] + c) +=
-            block.values[a * block.nodes.size() + a];
+            block.factor * matrices[block.matrix][a * block.nodes.size() + a];
     inverse_diagonal.compress(VectorOperation::add);
     if (linear_masses != nullptr)
       inverse_diagonal += *linear_masses;
@@ -100,7 +100,8 @@ namespace seiche
         std::vector<unsigned int> nodes(n_nodes);
         for (unsigned int a = 0; a < n_nodes; ++a)
           nodes[a] = unknowns[a];
-        blocks.push_back({nodes, values});
+        blocks.push_back({nodes, matrices.size(), 1.});
+        matrices.push_back(values);
       }
   }
 
@@ -110,6 +111,20 @@ namespace seiche
   MassMatrix<dim>::collect_faces(const CellMaterials<dim> &materials)
   {
     GhostFaceMatrix<dim, degree> face_matrix;
+    // of faces between equal cells, by direction
+    struct Last
+    {
+      CellGeometry<dim> geometry;
+      std::size_t       matrix;
+    };
+    std::array<Last, dim> last;
+    const auto geometry = [&](const unsigned int cell) -> const auto &
+    {
+      return occupancy.locator.cells.geometry(cell);
+    };
+    const auto is_plain = [&](const unsigned int cell) {
+      return occupancy.template unknowns<degree>(cell).matrix == nullptr;
+    };
     for_each_assembled_face(
       occupancy.locator,
       occupancy.cells.occupied(),
@@ -121,19 +136,28 @@ namespace seiche
           const unsigned int direction) {
         if (is_lumped(lower) && is_lumped(upper))
           return;
-        face_matrix.evaluate({lower, upper, direction, /*fragment=*/false},
-                             occupancy);
-        const unsigned int n = face_matrix.n_nodes;
-        const double       factor =
+        const GhostFace face = {lower, upper, direction, /*fragment=*/false};
+        const bool      is_regular = is_plain(lower) && is_plain(upper) &&
+                                geometry(lower).is_congruent(geometry(upper));
+        const bool is_known =
+          is_regular && geometry(lower).is_congruent(last[direction].geometry);
+        if (is_known)
+          face_matrix.find_nodes(face, occupancy);
+        else
+          {
+            face_matrix.evaluate(face, occupancy);
+            matrices.push_back(face_matrix.dense());
+          }
+        if (is_regular && !is_known)
+          last[direction] = {geometry(lower), matrices.size() - 1};
+        const double factor =
           (fill.is_cut(lower) || fill.is_cut(upper) ? ghost_factor :
                                                       inner_factor) *
           materials.mean(lower, upper).mass(std::pow(face_matrix.h, 3));
-        Block block;
-        block.nodes.assign(face_matrix.nodes, face_matrix.nodes + n);
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < n; ++b)
-            block.values.push_back(factor * face_matrix.B[a][b]);
-        blocks.push_back(std::move(block));
+        blocks.push_back(
+          {{face_matrix.nodes, face_matrix.nodes + face_matrix.n_nodes},
+           is_known ? last[direction].matrix : matrices.size() - 1,
+           factor});
       });
   }
 

@@ -12,7 +12,6 @@ BOX = (1, 1, 0)  # block that is left out
 GAUGES = (1.488, 0.992, 0.496, 2.638)  # H1 to H4: x [m], y = 0.5
 SENSORS = [("front", (0.8245, 0.471, z)) for z in (0.021, 0.061, 0.101, 0.141)] \
     + [("roof", (x, 0.471, 0.161)) for x in (0.8035, 0.7635, 0.7235, 0.6835)]  # P1 to P8
-RASTER = "writeControl adjustableRunTime; writeInterval 0.005;"
 
 
 def counts(h):
@@ -62,7 +61,8 @@ def columns(h):
 def make(folder, options):
     write_mesh(folder, options.h)
     heights, _ = columns(options.h)
-    functions = "".join(openfoam.probes("H%d" % (i + 1), "alpha.water", [(x, 0.5001, z) for z in heights], RASTER)
+    functions = "".join(openfoam.probes("H%d" % (i + 1), "alpha.water", [(x, 0.5001, z) for z in heights],
+                        "writeControl timeStep; writeInterval 1;")
                         for i, x in enumerate(GAUGES))
     functions += "".join(
         openfoam.probes("P%d" % (i + 1), "p", [place], "writeControl timeStep; writeInterval 1;",

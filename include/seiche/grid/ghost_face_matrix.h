@@ -32,8 +32,27 @@ namespace seiche
     void
     evaluate(const GhostFace &face, const Occupancy<dim> &occupancy);
 
+    /// All but B, which is that of another face between equal cells. Local.
+    void
+    find_nodes(const GhostFace &face, const Occupancy<dim> &occupancy);
+
+    /// B row by row [n_nodes * n_nodes].
+    std::vector<double>
+    dense() const
+    {
+      std::vector<double> result;
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        result.insert(result.end(), B[a], B[a] + n_nodes);
+      return result;
+    }
+
   private:
-    /// FE_Q(1), no hanging nodes: in closed form.
+    /// FE_Q(1), no hanging nodes: nodes lie on lines of three, B is in closed
+    /// form.
+    static bool
+    is_conforming(const GhostFace &face, const Occupancy<dim> &occupancy);
+    void
+    find_lines(const GhostFace &face, const Occupancy<dim> &occupancy);
     void
     evaluate_conforming(const GhostFace &face, const Occupancy<dim> &occupancy);
     /// Everything else: by quadrature.

@@ -66,11 +66,12 @@ namespace seiche
            const unsigned int n_times) const;
 
   private:
-    /// A dense symmetric matrix on some local nodes.
+    /// A multiple of a symmetric matrix on some local nodes.
     struct Block
     {
       std::vector<unsigned int> nodes;
-      std::vector<double>       values; // [a * nodes.size() + b]
+      std::size_t               matrix; // its place in matrices
+      double                    factor;
     };
 
     /// A cell where components are zero: at the element's own nodes.
@@ -107,13 +108,19 @@ namespace seiche
     void
     invert_diagonal();
 
+    /// Add the block's product with src to dst.
+    void
+    add_product(const Block &block, const double *src, double *dst) const;
+
     const PointCloud<dim> &points;
     const Fill<dim>       &fill;
     const Occupancy<dim>  &occupancy;
     const Field           *linear_masses; // of linear cells, or null
     std::vector<Block>     blocks;
-    std::vector<EdgeCell>  edge_cells;
-    Field                  inverse_diagonal; // zero where there is no mass
+    /// Dense, [a * nodes.size() + b]; those of equal faces are kept once.
+    std::vector<std::vector<double>> matrices;
+    std::vector<EdgeCell>            edge_cells;
+    Field inverse_diagonal; // zero where there is no mass
   };
 } // namespace seiche
 
