@@ -129,10 +129,10 @@ boundary (
  left {{ type wall; faces ((0 6 9 3)); }} right {{ type wall; faces ((2 5 11 8)); }}
  bottom {{ type wall; faces ((0 1 7 6) (1 2 8 7)); }} top {{ type patch; faces ((3 9 10 4) (4 10 11 5)); }}
  frontAndBack {{ type empty; faces ((0 3 4 1) (1 4 5 2) (6 7 10 9) (7 8 11 10)); }} );""")
-    raster = "writeControl adjustableRunTime; writeInterval 0.01;"
-    write_control(folder, options, probes("bottom", "alpha.water", [(x, FRONT_HEIGHT) for x in xs], raster,
+    each_step = "writeControl timeStep; writeInterval 1;"
+    write_control(folder, options, probes("bottom", "alpha.water", [(x, FRONT_HEIGHT) for x in xs], each_step,
                                           extra="interpolationScheme cellPoint;")
-                  + probes("column", "alpha.water", [(xs[0], y) for y in ys], raster), 0.01)
+                  + probes("column", "alpha.water", [(xs[0], y) for y in ys], each_step), 0.01)
     write(folder, "system/setFieldsDict", "dictionary", f"""
 defaultFieldValues ( volScalarFieldValue alpha.water 0 );
 regions ( boxToCell {{ box (-1 -1 -1) ({COLUMN_WIDTH} {COLUMN_HEIGHT} 1);

@@ -68,7 +68,7 @@ def make(folder, options):
         openfoam.probes("P%d" % (i + 1), "p", [place], "writeControl timeStep; writeInterval 1;",
                         kind="patchProbes", extra=f"patches ({patch});")
         for i, (patch, place) in enumerate(SENSORS))
-    openfoam.write_control(folder, options, functions, 0.005)
+    openfoam.write_control(folder, options, functions, 0.02)
     openfoam.write(folder, "system/setFieldsDict", "dictionary", f"""
 defaultFieldValues ( volScalarFieldValue alpha.water 0 );
 regions ( boxToCell {{ box {COLUMN}; fieldValues ( volScalarFieldValue alpha.water 1 ); }} );""")
@@ -81,7 +81,7 @@ regions ( boxToCell {{ box {COLUMN}; fieldValues ( volScalarFieldValue alpha.wat
 
 
 def curves(folder, options):
-    """{name: values} as in curves.csv: depths on their raster, pressures on it too."""
+    """{name: values} as in curves.csv: depths at their times, pressures there, too."""
     _, sizes = columns(options.h)
     result = {}
     for i in range(len(GAUGES)):

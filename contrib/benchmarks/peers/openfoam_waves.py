@@ -20,10 +20,10 @@ boundary ( left {{ type wall; faces ((0 4 6 2)); }} right {{ type wall; faces ((
  bottom {{ type wall; faces ((0 1 5 4)); }} top {{ type patch; faces ((2 6 7 3)); }}
  frontAndBack {{ type empty; faces ((0 2 3 1) (4 5 7 6)); }} );""")
     xs, ys = openfoam.middles(0, LENGTH, nx), openfoam.middles(0, HEIGHT, ny)
-    raster = "writeControl adjustableRunTime; writeInterval 0.01;"
+    each_step = "writeControl timeStep; writeInterval 1;"
     openfoam.write_control(
         folder, options,
-        "".join(openfoam.probes(name, "alpha.water", [(x, y) for y in ys], raster)
+        "".join(openfoam.probes(name, "alpha.water", [(x, y) for y in ys], each_step)
                 for name, x in (("left", xs[0]), ("right", xs[-1]))), 0.01)
     openfoam.write_water_and_air(folder, f"(0 {-openfoam.GRAVITY} 0)")
 
