@@ -18,6 +18,10 @@ if(SEICHE_LEAVE_OUT)
   execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${deal_ii_library} OUTPUT_VARIABLE needed)
   execute_process(COMMAND ldd ${deal_ii_library} OUTPUT_VARIABLE loaded)
   string(REGEX MATCHALL "NEEDED +lib(${SEICHE_LEAVE_OUT})\\.so\\.[0-9.]+" needed "${needed}")
+  if(NOT needed)
+    message(WARNING "SEICHE_LEAVE_OUT = ${SEICHE_LEAVE_OUT} is no library that "
+      "${deal_ii_library} needs.")
+  endif()
 endif()
 # Those of an earlier choice would still be found.
 if(NOT "${SEICHE_LEAVE_OUT}" STREQUAL "${SEICHE_LEFT_OUT}")

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <type_traits>
 
 namespace seiche
@@ -43,33 +44,43 @@ namespace seiche
     const std::string path = make_file();
     file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id);
     ::unlink(path.c_str());
-    // room for what HDF5 could not do without when it closes the file
-    if (file < 0 ||
-        ::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, 0, 2 * metadata_size) != 0)
-      {
-        const int error = file < 0 ? 0 : errno;
-        close();
-        posix_file::fail(name, "make a file in memory for", error, 0);
-      }
+    if (file < 0)
+      close();
+    check(file, "create a file");
   }
 
   std::string
   Hdf5Image::make_file()
   {
     // (not memfd_create(): HDF5 follows the link to it, which leads nowhere)
-    const char *temporary = std::getenv("TMPDIR");
-    for (const std::string folder :
-         {"/dev/shm", temporary != nullptr ? temporary : "/tmp"})
+    const char       *temporary = std::getenv("TMPDIR");
+    const std::string other     = temporary != nullptr ? temporary : "/tmp";
+    int               error     = 0;
+    for (const std::string &folder : {std::string("/dev/shm"), other})
       {
         std::string path = folder + "/seiche-XXXXXX";
         descriptor       = ::mkstemp(path.data());
-        if (descriptor >= 0)
+        // room for what HDF5 could not do without when it closes the file
+        if (descriptor >= 0 && has_room())
           return path;
+        error = errno;
+        if (descriptor >= 0)
+          {
+            ::close(descriptor);
+            ::unlink(path.c_str());
+          }
       }
-    posix_file::fail(name,
-                     "make a file in /dev/shm or, without one, in TMPDIR for",
-                     errno,
-                     0);
+    throw FileError("the header of \"" + name +
+                    "\" is made in a temporary file, for which /dev/shm and " +
+                    other + " have no room (" + std::strerror(error) +
+                    "); free some, or set TMPDIR to a folder that has.");
+  }
+
+  bool
+  Hdf5Image::has_room() const
+  {
+    return ::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, 0, 4 * metadata_size) ==
+           0;
   }
 
   Hdf5Image::~Hdf5Image()

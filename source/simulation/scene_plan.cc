@@ -9,6 +9,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,10 +30,15 @@ namespace seiche
     constexpr unsigned int pieces_per_direction = (dim == 2 ? 128 : 32);
 
     double
-    physical_memory()
+    available_memory()
     {
-      return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-             static_cast<double>(sysconf(_SC_PAGE_SIZE));
+      const double physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                              static_cast<double>(sysconf(_SC_PAGE_SIZE));
+      rlimit       limit; // of addresses (ulimit -v)
+      return ::getrlimit(RLIMIT_AS, &limit) == 0 &&
+                 limit.rlim_cur != RLIM_INFINITY ?
+               std::min(physical, static_cast<double>(limit.rlim_cur)) :
+               physical;
     }
 
     /// Free space where the folder is or will be [bytes].
@@ -219,7 +225,7 @@ namespace seiche
       input.require(false,
                     FluidBodyParameters<dim>::path(name, "Shape"),
                     BodyPieces<dim>::message_if_empty);
-    const double available = physical_memory() * ranks;
+    const double available = available_memory() * ranks;
     const bool   by_points = 2. * point_memory > memory;
     input.require(memory < available,
                   by_points ? "Points/Per cell and direction" :

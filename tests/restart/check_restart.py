@@ -343,8 +343,8 @@ def stopped(make, folder, ranks):
 
 
 def stopped_by_mpirun(make, folder, ranks):
-    """Ctrl-C to all that the terminal runs, and SIGTERM to the launcher only: with
-    contrib/mpirun as on one rank."""
+    """Ctrl-C to all that the terminal runs, SIGTERM and SIGUSR1 to the launcher only:
+    with contrib/mpirun as on one rank."""
     program = make(SCENE_2D, ranks, TIGHT + ["Checkpoint/Every steps = 0",
         "Output/Interval = 0", "Time/Step = 0.004", "Time/Step control = fixed"])
     launcher = [os.path.join(HERE, "../../contrib/mpirun"), *program.launcher[1:]]
@@ -358,7 +358,11 @@ def stopped_by_mpirun(make, folder, ranks):
     def term(process):
         process.terminate()
 
-    for action, row, arguments in ((ctrl_c, 10, []), (term, 30, ["--restart"])):
+    def usr1(process):
+        process.send_signal(signal.SIGUSR1)
+
+    for action, row, arguments in ((ctrl_c, 10, []), (term, 30, ["--restart"]),
+                                   (usr1, 50, ["--restart"])):
         process = program.start(parts, *arguments, launcher=launcher, session=True)
         wait_for_rows(process, parts, row)
         action(process)

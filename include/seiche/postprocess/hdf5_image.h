@@ -68,9 +68,13 @@ namespace seiche
     write(const Sink &sink);
 
   private:
-    /// Open a new file in memory, or where temporary files are; its name.
+    /// Open a new file in memory, or where temporary files are, with room for
+    /// headers; its name.
     std::string
     make_file();
+
+    bool
+    has_room() const;
 
     void
     close();
