@@ -34,7 +34,7 @@ namespace seiche
     {
       const double physical = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
                               static_cast<double>(sysconf(_SC_PAGE_SIZE));
-      rlimit       limit; // of addresses (ulimit -v)
+      rlimit limit; // of addresses (ulimit -v)
       return ::getrlimit(RLIMIT_AS, &limit) == 0 &&
                  limit.rlim_cur != RLIM_INFINITY ?
                std::min(physical, static_cast<double>(limit.rlim_cur)) :
