@@ -129,24 +129,24 @@ namespace seiche
   }
 
   template <int dim>
-  BodyPieces<dim>::BodyPieces(const CellLocator<dim>                 &cells,
-                              const std::vector<const Region<dim> *> &regions,
-                              const unsigned int                      body,
+  BodyPieces<dim>::BodyPieces(const CellLocator<dim>                &cells,
+                              const std::vector<const Shape<dim> *> &shapes,
+                              const unsigned int                     body,
                               const unsigned int points_per_direction)
     : locator(cells)
-    , region(*regions[body])
+    , shape(*shapes[body])
     , per_direction(points_per_direction)
   {
     for (unsigned int b = 0; b < body; ++b)
-      if (!apart(regions[b]->bounding_box(), region.bounding_box()))
-        earlier.push_back(regions[b]);
+      if (!apart(shapes[b]->bounding_box(), shape.bounding_box()))
+        earlier.push_back(shapes[b]);
   }
 
   template <int dim>
   bool
   BodyPieces<dim>::is_apart_from(const unsigned int cell) const
   {
-    return apart(region.bounding_box(), locator.cells.geometry(cell).box());
+    return apart(shape.bounding_box(), locator.cells.geometry(cell).box());
   }
 
   template <int dim>
@@ -171,23 +171,23 @@ namespace seiche
       return known->second;
 
     const auto cell_box = locator.lattice.box(cell, offset);
-    const auto box      = region.lattice_box(cell_box);
+    const auto box      = shape.lattice_box(cell_box);
     Content    result{Lattice(box, cell_box, per_direction), {}};
     Lattice   &lattice = result.lattice;
 
-    std::vector<const Region<dim> *> others;
+    std::vector<const Shape<dim> *> others;
     for (const auto *other : earlier)
       if (!apart(other->bounding_box(), box))
         others.push_back(other);
-    const bool fills_lattice = region.is_box();
+    const bool fills_lattice = shape.is_box();
     const auto level         = [&](const Point<dim> &x) {
       double result =
-        fills_lattice ? std::numeric_limits<double>::lowest() : region.level(x);
+        fills_lattice ? std::numeric_limits<double>::lowest() : shape.level(x);
       for (const auto *other : others)
         result = std::max(result, -other->level(x));
       return result;
     };
-    if (apart(region.bounding_box(), box))
+    if (apart(shape.bounding_box(), box))
       lattice.n_all = 0;
     if (lattice.n_all > 0 && (!fills_lattice || !others.empty()))
       result.parts = find_parts<dim>(level, lattice);

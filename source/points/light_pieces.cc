@@ -122,7 +122,7 @@ namespace seiche
     const BoxPart<dim> own     = part(place);
     const double       measure = content(lattice_cell).lattice.measure();
     Piece              result{own.share * measure, own.centre, own.share == 1.};
-    if (own.share == 0. || (region.is_box() && earlier.empty()))
+    if (own.share == 0. || (shape.is_box() && earlier.empty()))
       return result;
 
     Tensor<1, dim> moment = result.volume * (own.centre - Point<dim>());

@@ -36,12 +36,12 @@ namespace seiche
 
 
     template <int dim>
-    std::vector<const Region<dim> *>
-    regions(const std::vector<FluidBody<dim>> &bodies)
+    std::vector<const Shape<dim> *>
+    shapes(const std::vector<FluidBody<dim>> &bodies)
     {
-      std::vector<const Region<dim> *> result;
+      std::vector<const Shape<dim> *> result;
       for (const FluidBody<dim> &body : bodies)
-        result.push_back(body.region.get());
+        result.push_back(body.shape.get());
       return result;
     }
   } // namespace
@@ -60,7 +60,7 @@ namespace seiche
     , fluid(body_material.properties())
     , points(target)
     , pieces(target.locator,
-             regions(body_list),
+             shapes(body_list),
              index,
              seeding_parameters.per_direction)
   {}

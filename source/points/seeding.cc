@@ -88,7 +88,7 @@ namespace seiche
           {bodies[b].name,
            dealii::Utilities::MPI::sum(seeder.n_points, points.communicator),
            dealii::Utilities::MPI::sum(seeder.mass, points.communicator),
-           material.properties().mass(bodies[b].region->volume())});
+           material.properties().mass(bodies[b].shape->volume())});
       }
     points.locate();
     result.n_points = points.n_global();

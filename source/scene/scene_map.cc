@@ -58,8 +58,8 @@ namespace seiche
         if (box.box().point_inside(x))
           return SceneMap<dim>::obstacle;
       for (unsigned int b = 0; b < bodies.size(); ++b)
-        if (bodies[b].region->bounding_box().point_inside(x) &&
-            bodies[b].region->level(x) < 0.)
+        if (bodies[b].shape->bounding_box().point_inside(x) &&
+            bodies[b].shape->level(x) < 0.)
           return static_cast<int>(b);
       return SceneMap<dim>::air;
     }
@@ -98,7 +98,7 @@ namespace seiche
         std::vector<double> of_bodies, of_all;
         for (const auto &body : bodies)
           {
-            const auto box = body.region->bounding_box();
+            const auto box = body.shape->bounding_box();
             of_bodies.insert(of_bodies.end(),
                              {box.lower_bound(d), box.upper_bound(d)});
           }
@@ -189,7 +189,7 @@ namespace seiche
                 const unsigned int                 body,
                 const unsigned int                 n)
     {
-      const auto       box       = bodies[body].region->bounding_box();
+      const auto       box       = bodies[body].shape->bounding_box();
       unsigned int     n_samples = 1, lowest = n, highest = 0;
       SampledBody<dim> result;
       for (unsigned int d = 0; d < dim; ++d)

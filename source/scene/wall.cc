@@ -2,6 +2,7 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/scene/sample_times.h>
 #include <seiche/scene/wall.h>
+#include <seiche/shapes/solid_shapes.h>
 
 #include <fmt/format.h>
 
@@ -20,11 +21,13 @@ namespace seiche
   Wall<dim>::build(const InputFile &input)
   {
     if (is_side())
-      shape =
-        std::make_shared<PlaneShape<dim>>(side(),
-                                          lower_corner[side().direction()]);
+      {
+        Tensor<1, dim> into_fluid;
+        into_fluid[side().direction()] = -side().outward();
+        shape = half_space_shape<dim>(lower_corner, into_fluid, box());
+      }
     else
-      shape = std::make_shared<BoxShape<dim>>(box());
+      shape = box_shape<dim>(box());
     if (!velocity_text.empty())
       sliding = std::make_shared<Expression<dim>>(
         input, path("velocity"), velocity_text, dim, box().center());

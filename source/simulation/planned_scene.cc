@@ -21,6 +21,7 @@ namespace seiche
       return make_fluid_bodies(scene.bodies,
                                input,
                                scene.grid.domain(),
+                               scene.shapes,
                                scene.material_names());
     }
   } // namespace

@@ -16,13 +16,17 @@ namespace seiche
   {
     for (const std::string &name : input.instances("Fluid body"))
       {
-        bodies.emplace_back();
-        bodies.back().name = name;
+        bodies.emplace_back(name);
       }
     for (const std::string &name : input.instances(MaterialParameters::kind))
       {
         further_materials.emplace_back();
         further_materials.back().name = name;
+      }
+    for (const std::string &name : input.instances(ShapeParameters<dim>::kind))
+      {
+        shapes.emplace_back();
+        shapes.back().subsection = ShapeParameters<dim>::subsection_of(name);
       }
     for (const std::string &name : input.instances(TableParameters::kind))
       {
@@ -48,6 +52,12 @@ namespace seiche
     fluid.add_parameters(prm);
     for (auto &material : further_materials)
       material.add_parameters(prm);
+    for (auto &shape : shapes)
+      {
+        prm.enter_subsection(shape.subsection);
+        shape.add_parameters(prm);
+        prm.leave_subsection();
+      }
     for (auto &body : bodies)
       body.add_parameters(prm);
     seeding.add_parameters(prm);

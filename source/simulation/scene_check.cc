@@ -59,6 +59,13 @@ namespace seiche
       of_sections.emplace_back([&]() { table.check(input_file); });
     for (const auto &body : bodies)
       of_sections.emplace_back([&]() { body.check(input_file); });
+    of_sections.emplace_back([&]() {
+      std::vector<std::string> used;
+      for (const auto &body : bodies)
+        for (const std::string &part : body.shape.parts())
+          used.push_back(part);
+      check_named_shapes(input_file, shapes, used);
+    });
     for (auto &material : further_materials)
       of_sections.emplace_back([&]() { material.check(input_file); });
     require_all(of_sections);

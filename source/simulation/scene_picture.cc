@@ -69,7 +69,7 @@ namespace seiche
         volume += piece.volume;
       });
       return volume > 0. ? Point<dim>(moment / volume) :
-                           bodies.front().region->bounding_box().center();
+                           bodies.front().shape->bounding_box().center();
     }
 
 

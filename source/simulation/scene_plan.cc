@@ -85,12 +85,12 @@ namespace seiche
     /// the points [1/m].
     template <int dim>
     double
-    thinness(const Region<dim> &region, const double per_length)
+    thinness(const Shape<dim> &shape, const double per_length)
     {
       double result = 1.;
-      for (unsigned int d = 0; region.is_box() && d < dim; ++d)
+      for (unsigned int d = 0; shape.is_box() && d < dim; ++d)
         result /=
-          std::min(1., region.bounding_box().side_length(d) * per_length);
+          std::min(1., shape.bounding_box().side_length(d) * per_length);
       return result;
     }
   } // namespace
@@ -142,7 +142,7 @@ namespace seiche
       {
         const SampledBody<dim> &sampled = samples[b];
         points += sampled.volume * per_volume *
-                  thinness(*bodies[b].region, std::pow(per_volume, 1. / dim));
+                  thinness(*bodies[b].shape, std::pow(per_volume, 1. / dim));
         if (sampled.volume + sampled.resolution <
             BodyPieces<dim>::light * of_smallest_point)
           empty_bodies.push_back(bodies[b].name);

@@ -24,13 +24,11 @@ namespace seiche
     /// True if a place is surely more than @p slack [m] outside of a body.
     template <int dim>
     bool
-    is_far(const Region<dim> &region,
-           const Point<dim>  &place,
-           const double       slack)
+    is_far(const Shape<dim> &shape, const Point<dim> &place, const double slack)
     {
-      BoundingBox<dim> box = region.bounding_box();
+      BoundingBox<dim> box = shape.bounding_box();
       box.extend(slack);
-      return region.level(place) > 0. && !box.point_inside(place);
+      return shape.level(place) > 0. && !box.point_inside(place);
     }
 
     /// True if there are walls at both sides of the domain in a direction.
@@ -72,7 +70,7 @@ namespace seiche
     for (const auto &track : scene.postprocessors.tracked_places())
       if (!scene.grid.any_periodic() && // or near across a seam
           std::all_of(bodies.begin(), bodies.end(), [&](const auto &body) {
-            return is_far(*body.region, track.place, finest_edge);
+            return is_far(*body.shape, track.place, finest_edge);
           }))
         lost_tracks.push_back(track.name);
     if (body_force.tank.any())

@@ -126,7 +126,7 @@ namespace seiche
         x[up]         = b;
         double lowest = std::numeric_limits<double>::max();
         for (unsigned int body = group.first; body < group.second; ++body)
-          lowest = std::min(lowest, bodies[body].region->level(x));
+          lowest = std::min(lowest, bodies[body].shape->level(x));
         return lowest;
       }
 

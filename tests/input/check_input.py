@@ -434,6 +434,13 @@ GEOMETRY = [
          **added("subsection Fluid body p\n  set Shape = polygon\n"
                  "  set Span = 0.1, 0.2\nend\n"),
          line=LAST + 3, expect=['"Span" in "Fluid body p"', '"Vertices"']),
+    Case("shape that is a part of its part",
+         **added("subsection Shape a\n  set Shape = union\n  set Parts = b\nend\n"
+                 "subsection Shape b\n  set Shape = union\n  set Parts = a\nend\n"),
+         line=LAST + 3, expect=['"Parts" in "Shape a"', "part of itself"]),
+    Case("part that is no shape",
+         **added("subsection Fluid body p\n  set Shape = union\n  set Parts = a\nend\n"),
+         line=LAST + 3, expect=['"Parts" in "Fluid body p"', '"Shape a"']),
     Case("body without a point", "= 0.4, 0.3",
          "= 0.4, 0.3\nend\nsubsection Fluid body again\n"
          "  set Lower corner = 0, 0\n  set Upper corner = 0.1, 0.1",

@@ -73,8 +73,13 @@ struct SceneFromText
     std::vector<seiche::FluidBodyParameters<dim>> entries;
     for (const std::string &name : input.instances("Fluid body"))
       {
-        entries.emplace_back();
-        entries.back().name = name;
+        entries.emplace_back(name);
+      }
+    std::vector<seiche::ShapeParameters<dim>> shapes;
+    for (const std::string &name : input.instances("Shape"))
+      {
+        shapes.emplace_back();
+        shapes.back().subsection = "Shape " + name;
       }
     dealii::ParameterHandler prm;
     seiche::InputFile::declare_dimension(prm);
@@ -82,12 +87,18 @@ struct SceneFromText
     seeding.add_parameters(prm);
     for (auto &body : entries)
       body.add_parameters(prm);
+    for (auto &shape : shapes)
+      {
+        prm.enter_subsection(shape.subsection);
+        shape.add_parameters(prm);
+        prm.leave_subsection();
+      }
     input.parse_into(prm);
     grid_parameters.check(input);
     seeding.check(input);
     if (!entries.empty())
-      bodies =
-        seiche::make_fluid_bodies(entries, input, grid_parameters.domain(), {});
+      bodies = seiche::make_fluid_bodies(
+        entries, input, grid_parameters.domain(), shapes, {});
   }
 
   seiche::InputFile                   input;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Walls: the normal is the gradient of the distance, a place moved back along
-// it lies on the wall, and the velocity is the derivative of the way. The disc
-// is a shape as an extension would add it.
+// it lies on the wall, and the velocity is the derivative of the way.
 #include <seiche/mesh/cell_locator.h>
+#include <seiche/shapes/solid_shapes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,32 +13,6 @@
 namespace
 {
   using namespace dealii;
-
-  template <int dim>
-  class DiscShape : public seiche::WallShape<dim>
-  {
-  public:
-    DiscShape(const Point<dim> &centre_of_disc, const double radius_of_disc)
-      : centre(centre_of_disc)
-      , radius(radius_of_disc)
-    {}
-
-    double
-    distance(const Point<dim> &x) const override
-    {
-      return (x - centre).norm() - radius;
-    }
-
-    Tensor<1, dim>
-    normal(const Point<dim> &x) const override
-    {
-      return (x - centre) / (x - centre).norm();
-    }
-
-  private:
-    const Point<dim> centre;
-    const double     radius;
-  };
 
   template <int dim>
   std::vector<Point<dim>>
@@ -85,14 +59,22 @@ namespace
         lower[d] = 0.3 - 0.1 * d;
         upper[d] = 1. + 0.2 * d;
       }
-    const DiscShape<dim>          disc(Point<dim>::unit_vector(0), 0.4);
-    const seiche::BoxShape<dim>   box(BoundingBox<dim>({lower, upper}));
-    const seiche::PlaneShape<dim> plane(seiche::BoxFace(1, /*upper=*/true), 2.);
+    const BoundingBox<dim> extent({lower, upper});
+    Tensor<1, dim>         radii;
+    for (unsigned int d = 0; d < dim; ++d)
+      radii[d] = 0.4;
+    const auto disc =
+      seiche::ellipsoid_shape<dim>(Point<dim>::unit_vector(0), radii);
+    const auto box = seiche::box_shape<dim>(extent);
+    const auto plane =
+      seiche::half_space_shape<dim>(2. * Point<dim>::unit_vector(1),
+                                    -1. * Point<dim>::unit_vector(1),
+                                    extent);
     for (const auto &[name, shape] :
-         {std::pair<const char *, const seiche::WallShape<dim> *>{"disc",
-                                                                  &disc},
-          {"box", &box},
-          {"plane", &plane}})
+         {std::pair<const char *, const seiche::Shape<dim> *>{"disc",
+                                                              disc.get()},
+          {"box", box.get()},
+          {"plane", plane.get()}})
       {
         double off = 0.;
         for (const Point<dim> &x : random_places<dim>(-0.5, 2.5))

@@ -4,7 +4,7 @@
 
 #include <seiche/mesh/cell_locator.h>
 #include <seiche/scene/box_part.h>
-#include <seiche/scene/region.h>
+#include <seiche/shapes/shape.h>
 
 #include <unordered_map>
 #include <vector>
@@ -71,12 +71,12 @@ namespace seiche
       bool               is_whole; ///< its place and nothing else
     };
 
-    /// @p regions: of all bodies. All arguments but the last must outlive the
+    /// @p shapes: of all bodies. All arguments but the last must outlive the
     /// object.
-    BodyPieces(const CellLocator<dim>                 &cell_locator,
-               const std::vector<const Region<dim> *> &regions,
-               const unsigned int                      body,
-               const unsigned int                      points_per_direction);
+    BodyPieces(const CellLocator<dim>                &cell_locator,
+               const std::vector<const Shape<dim> *> &shapes,
+               const unsigned int                     body,
+               const unsigned int                     points_per_direction);
 
     /// True if the body does not come near a cell.
     bool
@@ -124,8 +124,8 @@ namespace seiche
     joins(const Place &from, const Place &to, const BoxFace face);
 
     const CellLocator<dim>                    &locator;
-    const Region<dim>                         &region;
-    std::vector<const Region<dim> *>           earlier;
+    const Shape<dim>                          &shape;
+    std::vector<const Shape<dim> *>            earlier;
     const unsigned int                         per_direction;
     std::unordered_map<std::uint64_t, Content> contents;
   };

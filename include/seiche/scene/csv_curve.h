@@ -12,9 +12,8 @@ namespace seiche
   /**
    * @brief Times and values of a CSV file, in SI units.
    *
-   * Comma separated, one header line; lines that start with "#" and rows
-   * whose two fields are empty (columns of unequal length) are skipped. The
-   * times must increase.
+   * A CsvFile; rows whose two fields are empty (columns of unequal length) are
+   * skipped. The times must increase.
    */
   struct CsvCurve
   {

@@ -2,7 +2,8 @@
 #ifndef seiche_scene_fluid_body_h
 #define seiche_scene_fluid_body_h
 
-#include <seiche/scene/region.h>
+#include <seiche/scene/expression.h>
+#include <seiche/scene/shape_parameters.h>
 
 #include <string>
 #include <vector>
@@ -17,35 +18,38 @@ namespace seiche
   class InputFile;
 
   /**
-   * @brief prm entries of "Fluid body NAME": shape, its sizes, velocity.
-   *
-   * Shapes: box (corners), ellipsoid (centre, semi-axes; ball: one radius),
-   * polygon (vertices; Boost.Geometry; in 3D a prism along y), expression
-   * (inside where < 0).
+   * @brief prm entries of "Fluid body NAME": shape, material, velocity.
    */
   template <int dim>
   struct FluidBodyParameters
   {
-    std::string name;
-    std::string shape = "box";
-    std::string lower_text, upper_text, centre_text, radius_text,
-      semi_axes_text, vertices_text, span_text, expression_text;
+    explicit FluidBodyParameters(const std::string &body_name)
+      : name(body_name)
+    {
+      shape.subsection = "Fluid body " + name;
+    }
+
+    std::string          name;
+    ShapeParameters<dim> shape;
     std::string velocity = (dim == 2 ? "0; 0" : "0; 0; 0"); // [m/s], (x, t=0)
     std::string material; // name of a Material; empty: of the Fluid
 
-    /// Enters the subsection "Fluid body NAME"; set the name before.
+    /// Enters the subsection "Fluid body NAME".
     void
     add_parameters(dealii::ParameterHandler &prm);
 
     void
-    check(const InputFile &input) const;
+    check(const InputFile &input) const
+    {
+      shape.check(input);
+    }
 
-    /// Make the region; InputError with place for bad sizes. @p domain is the
-    /// box of the grid: a body that reaches out of it is refused. @p input
-    /// must outlive the region.
-    std::unique_ptr<Region<dim>>
-    make_region(const InputFile                &input,
-                const dealii::BoundingBox<dim> &domain) const;
+    /// Make the shape; as ShapeParameters::make(), but a body that reaches out
+    /// of the @p domain is refused.
+    ShapePointer<dim>
+    make_shape(const InputFile                         &input,
+               const dealii::BoundingBox<dim>          &domain,
+               const std::vector<ShapeParameters<dim>> &named) const;
 
     /// Path of one of this body's entries in the parameter file.
     std::string
@@ -66,19 +70,20 @@ namespace seiche
   struct FluidBody
   {
     std::string                      name;
-    std::unique_ptr<Region<dim>>     region;
+    ShapePointer<dim>                shape;
     std::unique_ptr<Expression<dim>> velocity;     ///< [m/s], at t = 0
     unsigned int                     material = 0; ///< 0: of the Fluid
   };
 
   /// InputError with place for what makes no sense, and for no body at all. @p
-  /// domain as of make_region(); @p material_names: of the materials beside the
+  /// domain and @p named as of make_shape(); @p material_names: of the materials beside the
   /// Fluid; @p input must outlive the bodies.
   template <int dim>
   std::vector<FluidBody<dim>>
   make_fluid_bodies(const std::vector<FluidBodyParameters<dim>> &bodies,
                     const InputFile                             &input,
                     const dealii::BoundingBox<dim>              &domain,
+                    const std::vector<ShapeParameters<dim>>     &named,
                     const std::vector<std::string> &material_names);
 } // namespace seiche
 

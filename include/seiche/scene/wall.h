@@ -3,7 +3,7 @@
 #define seiche_scene_wall_h
 
 #include <seiche/scene/expression.h>
-#include <seiche/scene/wall_shape.h>
+#include <seiche/shapes/shape.h>
 #include <seiche/utilities/box_face.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -151,7 +151,7 @@ namespace seiche
     dealii::Point<dim>
     at_start(dealii::Point<dim> x, const double t) const;
 
-    std::shared_ptr<const WallShape<dim>>  shape;   // at the start
+    std::shared_ptr<const Shape<dim>>      shape;   // at the start
     std::shared_ptr<const Expression<dim>> sliding; // along itself, or null
     std::shared_ptr<const Expression<dim>> way;     // of a side, or null
 

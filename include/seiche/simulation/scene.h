@@ -78,6 +78,7 @@ namespace seiche
     FluidParameters                       fluid;
     std::vector<MaterialParameters>       further_materials;
     std::vector<Material>                 materials; ///< of all, by number
+    std::vector<ShapeParameters<dim>>     shapes;    ///< parts of others
     std::vector<FluidBodyParameters<dim>> bodies;
     SeedingParameters                     seeding;
     PointControlParameters                point_control;

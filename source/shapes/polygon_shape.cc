@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/scene/polygon_region.h>
+#include <seiche/shapes/polygon_shape.h>
 
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/linestring.hpp>
@@ -24,31 +24,32 @@ namespace seiche
 
     /// In 3D a prism along y with vertices x z.
     template <int dim>
-    class PolygonRegion : public Region<dim>
+    class PolygonShape : public Shape<dim>
     {
     public:
       /// @p along_y: from and to in 3D; without bounds the prism is endless
       /// and @p domain bounds it.
-      PolygonRegion(const Polygon                              &outline,
-                    const std::optional<std::array<double, 2>> &along_y,
-                    const Box<dim>                             &domain)
+      PolygonShape(const Polygon                              &outline,
+                   const std::optional<std::array<double, 2>> &along_y,
+                   const Box<dim>                             &domain)
         : polygon(outline)
         , edges(outline.outer().begin(), outline.outer().end())
         , span(along_y)
         , box(find_box(domain))
       {}
 
-      /// The distance; at the ends of a prism the larger of the distances.
+      /// At the ends of a prism the larger of the distances: less than the
+      /// distance off its edges.
       double
-      level(const dealii::Point<dim> &x) const override
+      distance(const dealii::Point<dim> &x) const override
       {
         const Vertex place(x[0], x[dim - 1]);
-        double       distance = boost::geometry::distance(place, edges);
+        double       result = boost::geometry::distance(place, edges);
         if (boost::geometry::within(place, polygon))
-          distance = -distance;
+          result = -result;
         if (span)
-          distance = std::max({distance, (*span)[0] - x[1], x[1] - (*span)[1]});
-        return distance;
+          result = std::max({result, (*span)[0] - x[1], x[1] - (*span)[1]});
+        return result;
       }
 
       double
@@ -56,6 +57,12 @@ namespace seiche
       {
         const double area = boost::geometry::area(polygon);
         return dim == 2 ? area : area * box.side_length(1);
+      }
+
+      bool
+      is_endless() const override
+      {
+        return dim == 3 && !span;
       }
 
       Box<dim>
@@ -153,22 +160,22 @@ namespace seiche
 
 
   template <int dim>
-  std::unique_ptr<Region<dim>>
-  polygon_region(const PolygonVertices                      &vertices,
-                 const std::optional<std::array<double, 2>> &span,
-                 const Box<dim>                             &domain)
+  ShapePointer<dim>
+  polygon_shape(const PolygonVertices                      &vertices,
+                const std::optional<std::array<double, 2>> &span,
+                const Box<dim>                             &domain)
   {
-    return std::make_unique<PolygonRegion<dim>>(closed_polygon(vertices),
-                                                span,
-                                                domain);
+    return std::make_unique<PolygonShape<dim>>(closed_polygon(vertices),
+                                               span,
+                                               domain);
   }
 
 
 
-#define INSTANTIATE(dim)                                     \
-  template std::unique_ptr<Region<dim>> polygon_region<dim>( \
-    const PolygonVertices &,                                 \
-    const std::optional<std::array<double, 2>> &,            \
+#define INSTANTIATE(dim)                          \
+  template ShapePointer<dim> polygon_shape<dim>(  \
+    const PolygonVertices &,                      \
+    const std::optional<std::array<double, 2>> &, \
     const Box<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_scene_polygon_region_h
-#define seiche_scene_polygon_region_h
+#ifndef seiche_shapes_polygon_shape_h
+#define seiche_shapes_polygon_shape_h
 
-#include <seiche/scene/region.h>
+#include <seiche/shapes/shape.h>
 
 #include <array>
 #include <optional>
@@ -19,10 +19,10 @@ namespace seiche
   /// A polygon of either orientation (Boost.Geometry); in 3D a prism along y
   /// over its vertices x z, from and to @p span, else through the domain.
   template <int dim>
-  std::unique_ptr<Region<dim>>
-  polygon_region(const PolygonVertices                      &vertices,
-                 const std::optional<std::array<double, 2>> &span,
-                 const dealii::BoundingBox<dim>             &domain);
+  ShapePointer<dim>
+  polygon_shape(const PolygonVertices                      &vertices,
+                const std::optional<std::array<double, 2>> &span,
+                const dealii::BoundingBox<dim>             &domain);
 } // namespace seiche
 
 #endif
