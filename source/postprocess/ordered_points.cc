@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/postprocess/even_ranges.h>
 #include <seiche/postprocess/ordered_points.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <exception>
 #include <limits>
@@ -18,7 +18,6 @@ namespace seiche
   namespace
   {
     constexpr std::size_t   rows_a_message = std::size_t(1) << 16;
-    constexpr std::size_t   samples_a_rank = 1000; // shares within 0.1 %
     constexpr std::uint64_t no_array       = -1;
     constexpr int           tag            = 7001; // of requests and rows
 
@@ -98,48 +97,12 @@ namespace seiche
   }
 
   template <int dim>
-  std::vector<std::uint64_t>
-  OrderedPoints<dim>::find_limits() const
-  {
-    // ids of bodies lie far apart: samples, each for as many points of its rank
-    std::vector<std::uint64_t> sorted = ids;
-    std::sort(sorted.begin(), sorted.end());
-    using Sample = std::array<std::uint64_t, 2>; // id, points
-    std::vector<Sample> samples;
-    const std::size_t   stride = sorted.size() / samples_a_rank + 1;
-    for (std::size_t i = 0; i < sorted.size(); i += stride)
-      samples.push_back({sorted[i], std::min(stride, sorted.size() - i)});
-    std::vector<Sample> all;
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(points.communicator, samples))
-      all.insert(all.end(), of_rank.begin(), of_rank.end());
-    std::sort(all.begin(), all.end());
-    std::uint64_t n_points = 0;
-    for (const Sample &sample : all)
-      n_points += sample[1];
-
-    const unsigned int n_ranks =
-      Utilities::MPI::n_mpi_processes(points.communicator);
-    std::vector<std::uint64_t> limits;
-    std::uint64_t              before = 0;
-    for (const auto &[id, n] : all)
-      {
-        while (limits.size() + 1 < n_ranks &&
-               before * n_ranks >= (limits.size() + 1) * n_points)
-          limits.push_back(id);
-        before += n;
-      }
-    limits.resize(n_ranks - 1, std::numeric_limits<std::uint64_t>::max());
-    return limits;
-  }
-
-  template <int dim>
   void
   OrderedPoints<dim>::exchange()
   {
     const unsigned int n_ranks =
       Utilities::MPI::n_mpi_processes(points.communicator);
-    const auto limits  = find_limits();
+    const auto limits  = even_ranges(ids, points.communicator);
     const auto rank_of = [&limits](const std::uint64_t id) {
       return std::upper_bound(limits.begin(), limits.end(), id) -
              limits.begin();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/scene/expression_shape.h>
+#include <seiche/shapes/unit_vector.h>
 
 namespace seiche
 {
@@ -32,11 +33,7 @@ namespace seiche
       Tensor<1, dim>
       normal(const Point<dim> &x) const override
       {
-        const Tensor<1, dim> result = gradient(x);
-        const double         norm   = result.norm();
-        Tensor<1, dim>       up;
-        up[dim - 1] = 1.;
-        return norm > 0. ? result / norm : up;
+        return unit_vector(gradient(x));
       }
 
       double

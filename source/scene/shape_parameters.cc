@@ -104,6 +104,15 @@ namespace seiche
 
   template <int dim>
   void
+  ShapeParameters<dim>::add_subsection(ParameterHandler &prm)
+  {
+    prm.enter_subsection(subsection);
+    add_parameters(prm);
+    prm.leave_subsection();
+  }
+
+  template <int dim>
+  void
   ShapeParameters<dim>::check(const InputFile &input) const
   {
     std::map<std::string, std::string> readers; // of an entry: names of shapes

@@ -25,15 +25,23 @@ namespace seiche
     using Entries = ShapeParameters<dim>;
 
     template <int dim>
+    Point<dim>
+    read_point(const Sources<dim> &sources,
+               const Entries<dim> &entries,
+               const std::string  &name,
+               const std::string  &text)
+    {
+      return entry_values::point<dim>(sources.input, entries.path(name), text);
+    }
+
+    template <int dim>
     ShapePointer<dim>
     make_box(const Sources<dim> &sources, const Entries<dim> &entries)
     {
-      const auto lower = entry_values::point<dim>(sources.input,
-                                                  entries.path("Lower corner"),
-                                                  entries.lower_text);
-      const auto upper = entry_values::point<dim>(sources.input,
-                                                  entries.path("Upper corner"),
-                                                  entries.upper_text);
+      const auto lower =
+        read_point(sources, entries, "Lower corner", entries.lower_text);
+      const auto upper =
+        read_point(sources, entries, "Upper corner", entries.upper_text);
       for (unsigned int d = 0; d < dim; ++d)
         sources.input.require(lower[d] < upper[d],
                               entries.path("Upper corner"),
@@ -57,9 +65,8 @@ namespace seiche
     ShapePointer<dim>
     make_ball(const Sources<dim> &sources, const Entries<dim> &entries)
     {
-      const auto     centre = entry_values::point<dim>(sources.input,
-                                                   entries.path("Centre"),
-                                                   entries.centre_text);
+      const auto centre =
+        read_point(sources, entries, "Centre", entries.centre_text);
       Tensor<1, dim> semi_axes;
       for (unsigned int d = 0; d < dim; ++d)
         semi_axes[d] =
@@ -71,12 +78,10 @@ namespace seiche
     ShapePointer<dim>
     make_ellipsoid(const Sources<dim> &sources, const Entries<dim> &entries)
     {
-      const auto centre    = entry_values::point<dim>(sources.input,
-                                                   entries.path("Centre"),
-                                                   entries.centre_text);
-      const auto semi_axes = entry_values::point<dim>(sources.input,
-                                                      entries.path("Semi-axes"),
-                                                      entries.semi_axes_text);
+      const auto centre =
+        read_point(sources, entries, "Centre", entries.centre_text);
+      const auto semi_axes =
+        read_point(sources, entries, "Semi-axes", entries.semi_axes_text);
       for (unsigned int d = 0; d < dim; ++d)
         sources.input.require(semi_axes[d] > 0.,
                               entries.path("Semi-axes"),
@@ -112,12 +117,10 @@ namespace seiche
     ShapePointer<dim>
     make_half_space(const Sources<dim> &sources, const Entries<dim> &entries)
     {
-      const auto point  = entry_values::point<dim>(sources.input,
-                                                  entries.path("Point"),
-                                                  entries.point_text);
-      const auto normal = entry_values::point<dim>(sources.input,
-                                                   entries.path("Normal"),
-                                                   entries.normal_text);
+      const auto point =
+        read_point(sources, entries, "Point", entries.point_text);
+      const auto normal =
+        read_point(sources, entries, "Normal", entries.normal_text);
       sources.input.require(normal.norm() > 0.,
                             entries.path("Normal"),
                             "must not be zero in all directions.");

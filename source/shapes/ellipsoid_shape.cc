@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/shapes/solid_shapes.h>
+#include <seiche/shapes/unit_vector.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -35,11 +36,7 @@ namespace seiche
       Tensor<1, dim>
       normal(const Point<dim> &x) const override
       {
-        const Tensor<1, dim> gradient = half_gradient(x);
-        const double         norm     = gradient.norm();
-        Tensor<1, dim>       up;
-        up[dim - 1] = 1.;
-        return norm > 0. ? gradient / norm : up;
+        return unit_vector(half_gradient(x));
       }
 
       double

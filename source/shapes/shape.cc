@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/shapes/shape.h>
+#include <seiche/shapes/unit_vector.h>
 
 namespace seiche
 {
@@ -26,10 +27,7 @@ namespace seiche
         behind[d] += difference * length;
         gradient[d] = distance(behind) - distance(before);
       }
-    const double norm = gradient.norm();
-    if (norm == 0.)
-      gradient[dim - 1] = 1.; // at a centre all directions are as good
-    return norm > 0. ? gradient / norm : gradient;
+    return unit_vector(gradient);
   }
 
   template class Shape<2>;

@@ -24,10 +24,7 @@ namespace seiche
         further_materials.back().name = name;
       }
     for (const std::string &name : input.instances(ShapeParameters<dim>::kind))
-      {
-        shapes.emplace_back();
-        shapes.back().subsection = ShapeParameters<dim>::subsection_of(name);
-      }
+      shapes.emplace_back(ShapeParameters<dim>::subsection_of(name));
     for (const std::string &name : input.instances(TableParameters::kind))
       {
         tables.emplace_back();
@@ -53,11 +50,7 @@ namespace seiche
     for (auto &material : further_materials)
       material.add_parameters(prm);
     for (auto &shape : shapes)
-      {
-        prm.enter_subsection(shape.subsection);
-        shape.add_parameters(prm);
-        prm.leave_subsection();
-      }
+      shape.add_subsection(prm);
     for (auto &body : bodies)
       body.add_parameters(prm);
     seeding.add_parameters(prm);

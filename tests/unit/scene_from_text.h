@@ -77,10 +77,7 @@ struct SceneFromText
       }
     std::vector<seiche::ShapeParameters<dim>> shapes;
     for (const std::string &name : input.instances("Shape"))
-      {
-        shapes.emplace_back();
-        shapes.back().subsection = "Shape " + name;
-      }
+      shapes.emplace_back("Shape " + name);
     dealii::ParameterHandler prm;
     seiche::InputFile::declare_dimension(prm);
     grid_parameters.add_parameters(prm);
@@ -88,11 +85,7 @@ struct SceneFromText
     for (auto &body : entries)
       body.add_parameters(prm);
     for (auto &shape : shapes)
-      {
-        prm.enter_subsection(shape.subsection);
-        shape.add_parameters(prm);
-        prm.leave_subsection();
-      }
+      shape.add_subsection(prm);
     input.parse_into(prm);
     grid_parameters.check(input);
     seeding.check(input);

@@ -61,10 +61,6 @@ namespace seiche
       std::uint64_t array, begin, end; // rows of that rank
     };
 
-    /// The first id of each rank but the first.
-    std::vector<std::uint64_t>
-    find_limits() const;
-
     /// Send each rank its range of ids.
     void
     exchange();

@@ -25,9 +25,8 @@ namespace seiche
   {
     explicit FluidBodyParameters(const std::string &body_name)
       : name(body_name)
-    {
-      shape.subsection = "Fluid body " + name;
-    }
+      , shape("Fluid body " + name)
+    {}
 
     std::string          name;
     ShapeParameters<dim> shape;

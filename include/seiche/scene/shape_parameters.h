@@ -24,6 +24,10 @@ namespace seiche
   template <int dim>
   struct ShapeParameters
   {
+    explicit ShapeParameters(const std::string &name_of_subsection)
+      : subsection(name_of_subsection)
+    {}
+
     /// Of shapes with a name of their own.
     static constexpr const char *kind = "Shape";
 
@@ -38,6 +42,10 @@ namespace seiche
     /// Within the subsection, which the caller has entered.
     void
     add_parameters(dealii::ParameterHandler &prm);
+
+    /// All of the subsection.
+    void
+    add_subsection(dealii::ParameterHandler &prm);
 
     void
     check(const InputFile &input) const;
