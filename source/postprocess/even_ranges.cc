@@ -25,7 +25,7 @@ namespace seiche
     std::vector<Sample> samples;
     const std::size_t   stride = sorted.size() / samples_a_rank + 1;
     for (std::size_t i = 0; i < sorted.size(); i += stride)
-      samples.push_back({sorted[i], std::min(stride, sorted.size() - i)});
+      samples.push_back({{sorted[i], std::min(stride, sorted.size() - i)}});
     std::vector<Sample> all;
     for (const auto &of_rank :
          Utilities::MPI::all_gather(communicator, samples))
