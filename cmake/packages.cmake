@@ -23,6 +23,6 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME seiche-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "g++, cmake, libdeal.ii-dev, \
-libsuitesparse-dev, libhypre-dev, libcli11-dev, nlohmann-json3-dev, libfmt-dev")
+libsuitesparse-dev, libassimp-dev, libhypre-dev, libcli11-dev, nlohmann-json3-dev, libfmt-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "Headers, libraries and find_package(seiche) for programs of one's own.")
 include(CPack)

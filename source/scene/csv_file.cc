@@ -70,14 +70,14 @@ namespace seiche
     const std::string problem  = problem_of_file(filename, largest_table);
     input.require(problem.empty(),
                   path,
-                  fmt::format("the table {}: {}. Names are relative to the "
+                  fmt::format("the file {}: {}. Names are relative to the "
                               "parameter file.",
                               filename,
                               problem));
     std::ifstream stream(filename);
     input.require(stream && stream.peek() != std::ifstream::traits_type::eof(),
                   path,
-                  fmt::format("the table {} cannot be read or is empty.",
+                  fmt::format("the file {} cannot be read or is empty.",
                               filename));
     return filename;
   }

@@ -76,6 +76,13 @@ namespace seiche
                  "height on a rectangular lattice, or an ESRI grid (.asc); the "
                  "body is below, bilinear between the places. [m]",
       Patterns::FileName());
+    if (dim == 3)
+      prm.add_parameter("Triangles",
+                        triangles_text,
+                        "Of triangles: a file (.stl, .obj, .ply or .off) with "
+                        "the closed surface of the body, normals outwards. "
+                        "[m]",
+                        Patterns::FileName());
     prm.add_parameter("Parts",
                       parts_text,
                       "Of a union, intersection or difference (the first "

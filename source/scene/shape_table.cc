@@ -4,6 +4,7 @@
 #include <seiche/scene/expression_shape.h>
 #include <seiche/scene/height_map_file.h>
 #include <seiche/scene/shape_table.h>
+#include <seiche/scene/surface_file.h>
 #include <seiche/shapes/polygon_shape.h>
 #include <seiche/shapes/solid_shapes.h>
 
@@ -197,6 +198,15 @@ namespace seiche
                                    sources.domain);
     }
 
+    ShapePointer<3>
+    make_triangles(const Sources<3> &sources, const Entries<3> &entries)
+    {
+      sources.input.cites("baerentzen2005");
+      return triangle_shape(read_surface(sources.input,
+                                         entries.path("Triangles"),
+                                         entries.triangles_text));
+    }
+
     template <int dim>
     ShapePointer<dim>
     make_part(const Sources<dim> &sources,
@@ -244,6 +254,8 @@ namespace seiche
         {"ellipsoid", {"Semi-axes", "Centre"}, make_ellipsoid<dim>}};
       if constexpr (dim == 3)
         rows.push_back({"cylinder", {"Radius", "Ends"}, make_cylinder});
+      if constexpr (dim == 3)
+        rows.push_back({"triangles", {"Triangles"}, make_triangles});
       const std::vector<ShapeKind<dim>> others = {
         {"half-space", {"Normal", "Point"}, make_half_space<dim>},
         {"polygon", {"Span", "Vertices"}, make_polygon<dim>},

@@ -74,6 +74,13 @@ namespace seiche
                               std::pow(placement.scale, dim) * shape->volume();
       }
 
+      Thickness<dim>
+      least_thickness() const override
+      {
+        const Thickness<dim> result = shape->least_thickness();
+        return {placement.scale * result.length, placement.place(result.place)};
+      }
+
     private:
       const ShapePointer<dim> shape;
       const Placement<dim>    placement;

@@ -72,6 +72,14 @@ namespace seiche
         "entries in SI units?",
         speed,
         speed / wave_speed()));
+    if (thinnest < smallest_cell)
+      result.push_back(fmt::format(
+        "the fluid body {} is {:.3g} m thick, {:.2g} cells: what flows there "
+        "needs Grid/Cell size = {:.2g}, or a refinement",
+        thinnest_place,
+        thinnest,
+        thinnest / smallest_cell,
+        0.5 * thinnest));
     if (step_is_round_off())
       result.push_back(fmt::format(
         "the fluid moves by {:.1g} cells in a step, which is round-off; what "

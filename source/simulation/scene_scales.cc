@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace seiche
 {
@@ -99,9 +100,10 @@ namespace seiche
           scene.materials[bodies[b].material].properties().mass(body.volume);
         mass_is_exact  = mass_is_exact && body.is_whole;
         depth_is_exact = depth_is_exact && body.ends_at_box;
-        bottom         = std::min(bottom, body.bottom);
-        top            = std::max(top, body.top);
-        tallest_body   = std::max(tallest_body, body.top - body.bottom);
+        note_thickness(bodies[b]);
+        bottom       = std::min(bottom, body.bottom);
+        top          = std::max(top, body.top);
+        tallest_body = std::max(tallest_body, body.top - body.bottom);
         for (const Point<dim> &x : body.places)
           {
             Tensor<1, dim> force = body_force.value(x, /*t=*/0.);
@@ -124,6 +126,19 @@ namespace seiche
           if (has_walls(scene.grid, d))
             sideways = std::max(sideways, std::abs(sum[d]) / n);
       }
+  }
+
+  template <int dim>
+  void
+  SceneScales::note_thickness(const FluidBody<dim> &body)
+  {
+    const Thickness<dim> least = body.shape->least_thickness();
+    if (least.length >= thinnest)
+      return;
+    thinnest = least.length;
+    std::ostringstream place;
+    place << body.name << " near " << least.place;
+    thinnest_place = place.str();
   }
 
   double
@@ -177,6 +192,10 @@ namespace seiche
                   depth,
                   digits,
                   depth / smallest_height);
+    if (std::isfinite(thinnest))
+      result += fmt::format("thinnest part {:.3g} m ({:.2g} cells), ",
+                            thinnest,
+                            thinnest / smallest_cell);
     if (gravity > 0.)
       result += fmt::format("sqrt(g H) {:.{}g} m/s, rho g H {:.{}g} Pa",
                             wave_speed(),

@@ -35,7 +35,7 @@ namespace seiche
     std::string shape = "box";
     std::string lower_text, upper_text, centre_text, radius_text,
       semi_axes_text, ends_text, point_text, normal_text, vertices_text,
-      span_text, expression_text, heights_text, parts_text;
+      span_text, expression_text, heights_text, triangles_text, parts_text;
     double      scale = 1.;
     std::string rotation_text, pivot_text, shift_text;
 

@@ -11,6 +11,14 @@
 
 namespace seiche
 {
+  /// How thick a shape is where it is thinnest, and a place there.
+  template <int dim>
+  struct Thickness
+  {
+    double length = std::numeric_limits<double>::infinity(); ///< [m]
+    dealii::Point<dim> place;                                ///< [m]
+  };
+
   /**
    * @brief A part of space, of a fluid body or a wall, by a signed distance.
    */
@@ -56,6 +64,13 @@ namespace seiche
     volume() const
     {
       return std::numeric_limits<double>::quiet_NaN();
+    }
+
+    /// Infinite if it is not known. May be slow.
+    virtual Thickness<dim>
+    least_thickness() const
+    {
+      return {};
     }
 
     /// True if lattice_box() has no part outside the shape.

@@ -70,6 +70,10 @@ namespace seiche
                   const std::vector<SampledBody<dim>> &samples,
                   const BodyForce<dim>                &body_force);
 
+    template <int dim>
+    void
+    note_thickness(const FluidBody<dim> &body);
+
     double
     wave_speed() const;
 
@@ -112,7 +116,10 @@ namespace seiche
     double upwards        = 0.; ///< mean vertical part of the force [m/s^2]
     double sideways       = 0.; ///< the same, horizontal, between walls
     double turn           = 0.; ///< largest angle of the tank [rad]
-    std::vector<std::string> lost_tracks; ///< tracked points without fluid
+    double thinnest =
+      std::numeric_limits<double>::infinity(); ///< part of a body [m]
+    std::string              thinnest_place;   ///< body and coordinates
+    std::vector<std::string> lost_tracks;      ///< tracked points without fluid
   };
 } // namespace seiche
 
