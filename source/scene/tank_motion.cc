@@ -30,17 +30,11 @@ namespace seiche
     /// the tank, and angle [rad].
     constexpr double slow = 0.01;
 
-    /// A function of time and its first two derivatives.
-    struct Jet
-    {
-      double value, first, second;
-    };
-
     /// Derivatives by the polynomial of degree 4 through five values around a
     /// time, which all lie within the run: a motion need not be defined
     /// outside.
     template <typename Function>
-    Jet
+    MotionJet
     differentiate(const Function &f,
                   const double    time,
                   const double    h,
@@ -83,7 +77,7 @@ namespace seiche
     /// E^2 with E v = axis x v (Rodrigues).
     template <int dim>
     MatrixJet<dim>
-    turn(const unsigned int axis, const Jet &angle)
+    turn(const unsigned int axis, const MotionJet &angle)
     {
       const unsigned int i = dim == 2 ? 0 : (axis + 1) % dim,
                          j = dim == 2 ? 1 : (axis + 2) % dim;
@@ -135,6 +129,7 @@ namespace seiche
                       "Point of the tank, also outside of it, about which it "
                       "turns. [m]",
                       Patterns::Anything());
+    body.add_parameters(prm);
     prm.leave_subsection();
   }
 
@@ -142,7 +137,15 @@ namespace seiche
   void
   TankMotionParameters<dim>::check(const InputFile &input) const
   {
-    input.read_only_if(!rotation.empty(), centre_path, "Tank motion/Rotation");
+    body.check(input);
+    input.read_only_if(turns(),
+                       centre_path,
+                       "Tank motion/Rotation or a free angle");
+    if constexpr (dim == 3)
+      input.require(rotation.empty() || !body.turns(),
+                    rotation_path,
+                    "a tank that is free to turn has no other rotation in 3D: "
+                    "axes would not stay; leave it empty.");
   }
 
   template <int dim>
@@ -152,6 +155,10 @@ namespace seiche
                               const double                     last_time,
                               const double                     step)
     : centre(entry_values::point<dim>(input, centre_path, parameters.centre))
+    , body(
+        parameters.body.any() ?
+          std::make_unique<TankBody<dim>>(parameters.body, input, last_time) :
+          nullptr)
     , end_time(last_time)
     , spacing(share_of_step * std::min(step, end_time))
     , time_of_pose(std::numeric_limits<double>::quiet_NaN())
@@ -198,35 +205,52 @@ namespace seiche
   }
 
   template <int dim>
-  const TankPose<dim> &
-  TankMotion<dim>::at(const double time) const
+  MotionJet
+  TankMotion<dim>::jet(const unsigned int direction, const double time) const
   {
-    if (time == time_of_pose)
-      return pose;
-    const auto jet = [&](const std::optional<Expression<dim>> &expression,
-                         const unsigned int component) -> Jet {
-      if (!expression)
-        return {0., 0., 0.};
-      return differentiate(
-        [&](const double t) { return expression->value(centre, t, component); },
+    const bool  is_angle   = direction >= dim;
+    const auto &expression = is_angle ? rotation : displacement;
+    MotionJet   result;
+    if (expression)
+      result = differentiate(
+        [&](const double t) {
+          return expression->value(centre, t, direction - dim * is_angle);
+        },
         time,
         spacing,
         end_time);
-    };
+    if (body)
+      {
+        const MotionJet free = body->jet(direction, time);
+        result.value += free.value;
+        result.first += free.first;
+        result.second += free.second;
+      }
+    return result;
+  }
+
+  template <int dim>
+  const TankPose<dim> &
+  TankMotion<dim>::at(const double time) const
+  {
+    if (time == time_of_pose && (!body || version_of_body == body->version()))
+      return pose;
+    if (body)
+      version_of_body = body->version();
     MatrixJet<dim> R;
     R.value = unit_symmetric_tensor<dim>();
     for (unsigned int a = 0; a < n_angles; ++a)
       {
-        const Jet angle = jet(rotation, a);
-        pose.angles[a]  = angle.value;
-        R               = turn<dim>(a, angle) * R;
+        const MotionJet angle = jet(dim + a, time);
+        pose.angles[a]        = angle.value;
+        R                     = turn<dim>(a, angle) * R;
       }
     Tensor<1, dim> acceleration;
     for (unsigned int d = 0; d < dim; ++d)
       {
-        const Jet place      = jet(displacement, d);
-        pose.displacement[d] = place.value;
-        acceleration[d]      = place.second;
+        const MotionJet place = jet(d, time);
+        pose.displacement[d]  = place.value;
+        acceleration[d]       = place.second;
       }
     const Tensor<2, dim> back = transpose(R.value), turning = back * R.first;
     pose.rotation     = R.value;

@@ -27,7 +27,8 @@ namespace seiche
     needs_row_mass(const Scene<dim> &scene)
     {
       return scene.postprocessors.measure_forces() ||
-             scene.grid.any_friction() || scene.grid.any_unilateral();
+             scene.grid.any_friction() || scene.grid.any_unilateral() ||
+             scene.tank_motion.body.any();
     }
   } // namespace
 
@@ -64,6 +65,7 @@ namespace seiche
     , row_mass(occupancy, needs_row_mass(scene))
     , wall_friction(occupancy, row_mass)
     , wall_contact(wall_conditions, occupancy, row_mass, body_force, materials)
+    , tank_coupling(tank_motion, occupancy, scene.newton.tolerance)
     , quadrature(make_quadrature(points, fill, materials, volume_ratio(scene)))
     , matrix(fill, formulation.has_pressure())
     , assembler(formulation,

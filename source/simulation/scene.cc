@@ -137,6 +137,9 @@ namespace seiche
                                       "occupied_cells"};
     if (time.controls_error())
       names.push_back("time_error [cells]");
+    for (const auto direction : tank_motion.body.directions(input))
+      for (const std::string &column : direction.columns())
+        names.push_back(column);
     const auto account = PointControl<dim>::account_names(point_control);
     names.insert(names.end(), account.begin(), account.end());
     return names;

@@ -88,8 +88,9 @@ namespace seiche
       "Transfer/Method",
       "FLIP acceleration updates velocities by Newmark's rule: set Time/Scheme "
       "= newmark, or another method");
-    input_file.require(tank_motion.rotation.empty() || !grid.any_periodic(),
-                       "Tank motion/Rotation",
+    input_file.require(!tank_motion.turns() || !grid.any_periodic(),
+                       tank_motion.rotation.empty() ? "Tank motion/Free" :
+                                                      "Tank motion/Rotation",
                        "a tank with periodic sides cannot turn: accelerations "
                        "would differ at the two sides. Leave it empty, or give "
                        "the tank walls.");

@@ -139,6 +139,8 @@ namespace seiche
         damage_if_asked(problem.points);
       }
       time_stepper.accept(record.error);
+      if (problem.tank_coupling.any())
+        problem.tank_motion.body->accept();
       is_on_grid = points_are_controlled = false;
     }
     postprocess();

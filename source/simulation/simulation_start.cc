@@ -86,6 +86,8 @@ namespace seiche
     archive.section("chamber notices",
                     [&]() { chamber_notices.save_or_load(archive); });
     archive.section("report", [&]() { report.save_or_load(archive); });
+    if (problem.tank_coupling.any())
+      problem.tank_coupling.save_or_load(archive);
     scene.postprocessors.save_or_load(archive);
   }
 

@@ -38,7 +38,8 @@ namespace seiche
     , report(run_report)
     , timer(run_timer)
     , has_pressure(problem.formulation.has_pressure())
-    , measures_forces(problem.scene.postprocessors.measure_forces())
+    , measures_forces(problem.scene.postprocessors.measure_forces() ||
+                      problem.tank_coupling.any())
     , linear_solver(problem.scene.linear_solver, timer)
     , system{problem.assembler, problem.matrix, linear_solver}
     , velocity_projection(system,
@@ -50,7 +51,8 @@ namespace seiche
              problem.scene.linear_solver.tolerance,
              system,
              residual_projection,
-             problem.wall_contact)
+             problem.wall_contact,
+             problem.tank_coupling)
   {}
 
   template <int dim>
@@ -85,6 +87,7 @@ namespace seiche
         "open a wall.",
         state.time));
     problem.convex_edges.update(state);
+    problem.tank_coupling.begin(state);
     linear_solver.begin_step();
   }
 
@@ -179,6 +182,7 @@ namespace seiche
     scheme.offsets(state, state.dt, inertia_offset, rate_offset);
     problem.wall_conditions.set_displacement(state, step, rate_offset);
     problem.wall_contact.begin_iteration(step, rate_offset);
+    problem.tank_coupling.begin_iteration(step);
     problem.assembler.begin(
       *problem.formulation.step, step, state, inertia_offset, rate_offset);
   }

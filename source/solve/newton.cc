@@ -76,12 +76,14 @@ namespace seiche
                       const double             forcing,
                       const LinearSystem<dim> &s,
                       ResidualProjection<dim> &r,
-                      WallContact<dim>        &c)
+                      WallContact<dim>        &c,
+                      TankCoupling<dim>       &t)
     : parameters(p)
     , first_forcing(forcing)
     , system(s)
     , projection(r)
     , contact(c)
+    , tank(t)
   {}
 
   template <int dim>
@@ -195,6 +197,20 @@ namespace seiche
   }
 
   template <int dim>
+  void
+  Newton<dim>::set_target(Progress &progress, const GridState<dim> &state) const
+  {
+    Norms &first      = progress.first;
+    first.momentum    = std::max(first.momentum, progress.now.momentum);
+    first.volume      = std::max(first.volume, progress.now.volume);
+    const Norms scale = scales(state);
+    progress.target   = {std::max(parameters.tolerance * first.momentum,
+                                parameters.absolute_tolerance * scale.momentum),
+                         std::max(parameters.tolerance * first.volume,
+                                parameters.absolute_tolerance * scale.volume)};
+  }
+
+  template <int dim>
   typename Newton<dim>::Progress
   Newton<dim>::begin(GridState<dim> &state, const IfUnconverged then)
   {
@@ -206,13 +222,8 @@ namespace seiche
     system.assembler.residual(state, residual);
 
     Progress progress;
-    progress.first    = norms(residual);
-    progress.now      = progress.first;
-    const Norms scale = scales(state);
-    progress.target = {std::max(parameters.tolerance * progress.first.momentum,
-                                parameters.absolute_tolerance * scale.momentum),
-                       std::max(parameters.tolerance * progress.first.volume,
-                                parameters.absolute_tolerance * scale.volume)};
+    progress.now = norms(residual);
+    set_target(progress, state);
     progress.begin(first_forcing);
     progress.most_slow = then == IfUnconverged::give_up_early ?
                            most_slow_updates :
@@ -274,21 +285,34 @@ namespace seiche
   Newton<dim>::solve(GridState<dim> &state, const IfUnconverged then)
   {
     NewtonResult result;
-    Progress     progress = begin(state, then);
+    Progress     progress         = begin(state, then);
+    unsigned int with_other_tanks = 0; // iterations
     while (true)
       {
         const bool is_finite = progress.is_finite();
         result.is_usable     = is_finite && result.iterations > 0;
-        if (is_finite && (result.iterations > 0 || progress.is_done()) &&
-            contact.correct(state))
+        const bool may_correct =
+          is_finite && (result.iterations > 0 || progress.is_done());
+        const bool walls_differ = may_correct && contact.correct(state);
+        const bool tank_differs = may_correct && !walls_differ &&
+                                  progress.is_done() && tank.correct(state);
+        if (walls_differ || tank_differs)
           {
             system.assembler.residual(state, residual);
             progress.now = norms(residual);
+            if (tank_differs)
+              {
+                set_target(progress, state); // the first guess had less forces
+                with_other_tanks = result.iterations;
+              }
             progress.begin(first_forcing); // another problem
           }
         if (progress.is_done())
           break;
-        result.failure = reason_to_stop(progress, result.iterations);
+        result.failure =
+          tank.is_lost() ?
+            "the acceleration of the tank that the fluid moves is not found" :
+            reason_to_stop(progress, result.iterations - with_other_tanks);
         if (result.failure.empty())
           iterate(state, then == IfUnconverged::take_nearest, progress, result);
         if (!result.failure.empty())

@@ -600,7 +600,20 @@ TABLES = [
         ("Rotation", "t>0.01 ? 1 : 0", ["jumps"]), ("Rotation", "w(t)", ["w"]),
         ("Displacement", "t", ["2 needed"]),
         ("Displacement", "1/(t-0.01); 0", ["not finite"]),
-        ("Centre", "0", ["2 needed"])]
+        ("Centre", "0", ["2 needed"]), ("Free", "w", ["x, y, rotation"]),
+        ("Free", "x, x", ["twice"])]
+] + [
+    Case(f"tank that is free to sway, {entry} = {text}",
+         arguments=["scene.prm"] + [
+             argument
+             for name, value in {"Free": "x", "Inertia": "1", entry: text}.items()
+             for argument in ("--set", f"Tank motion/{name} = {value}")],
+         line=None, expect=[f'"{entry}" in "Tank motion"', *expect])
+    for entry, text, expect in [
+        ("Inertia", "1 - 200*t", ["greater than zero"]),
+        ("Inertia", "1 + x", ["t alone"]), ("Inertia", "1; 2", ["1 needed"]),
+        ("Load", "1; 2", ["1 needed"]), ("Load", "1/(t - 0.01)", ["not finite"]),
+        ("Start", "0, 1", ["2 number(s)", "Free"])]
 ]
 
 
@@ -763,6 +776,7 @@ WITHOUT_EFFECT = [
     in_vain("Free surface/Ghost velocity time", value="0.1",
             reader="Ghost velocity", also=["Free surface/Ghost velocity = 0"]),
     in_vain("Tank motion/Centre", value="0.5, 0", reader="Tank motion/Rotation"),
+    in_vain("Tank motion/Load", value="-10*x", reader="Tank motion/Free"),
     in_vain("Fluid/Volume law", value="logarithmic", reader="finite"),
     in_vain("Fluid/Flow index", value="0.5", reader="Viscosity law = power law"),
     Case("without effect: a material that no body has",

@@ -26,6 +26,7 @@ SCENE_QUADRATIC = str(HERE / "dam_break_2d_quadratic.prm")
 SCENE_3D = str(HERE / "column_3d.prm")
 SCENE_PISTON = str(HERE / "piston_2d.prm")
 SCENE_TANK = str(HERE / "tank_2d.prm")
+SCENE_TANK_ON_SPRINGS = str(HERE / "tank_on_springs_3d.prm")
 SCENE_ADAPTIVE = str(HERE / "adaptive_2d.prm")
 SCENE_CROWDED = str(HERE.parent / "robustness/alarms/crowded.prm")
 SCENE_GAP = str(HERE.parent / "robustness/alarms/closing_gap.prm")
@@ -116,6 +117,11 @@ def exact_tank(make, folder, ranks):
     table.write_text(table.read_text() + "0.7,1\n")
     text = program.run(f"{folder}/parts", "--restart", code=4)
     assert "Table roll/File" in text and "checksum" in text, text
+
+
+def exact_tank_on_springs(make, folder, ranks):
+    exact(make(SCENE_TANK_ON_SPRINGS, ranks), folder, ["statistics.csv"],
+          ["0.055", "0.095"])
 
 
 def exact_3d(make, folder, ranks):
@@ -480,6 +486,8 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_quadratic_2_ranks": (exact_quadratic, 2),
          "exact_piston": (exact_piston, 1),
          "exact_tank": (exact_tank, 1), "exact_tank_2_ranks": (exact_tank, 2),
+         "exact_tank_on_springs": (exact_tank_on_springs, 1),
+         "exact_tank_on_springs_2_ranks": (exact_tank_on_springs, 2),
          "exact_tank_adaptive": (exact_tank_adaptive, 1),
          "exact_tank_adaptive_2_ranks": (exact_tank_adaptive, 2),
          "exact_tank_quadratic": (exact_tank_quadratic, 1),

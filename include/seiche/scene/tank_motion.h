@@ -4,8 +4,10 @@
 
 #include <seiche/scene/expression.h>
 #include <seiche/scene/grid_parameters.h>
+#include <seiche/scene/tank_body.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace seiche
@@ -14,9 +16,10 @@ namespace seiche
   template <int dim>
   struct TankMotionParameters
   {
-    std::string displacement; // expressions [m], or empty
-    std::string rotation;     // expressions [rad], or empty
-    std::string centre = (dim == 2 ? "0, 0" : "0, 0, 0"); // [m]
+    std::string             displacement; // expressions [m], or empty
+    std::string             rotation;     // expressions [rad], or empty
+    std::string             centre = (dim == 2 ? "0, 0" : "0, 0, 0"); // [m]
+    TankBodyParameters<dim> body;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -29,7 +32,13 @@ namespace seiche
     bool
     any() const
     {
-      return !displacement.empty() || !rotation.empty();
+      return !displacement.empty() || !rotation.empty() || body.any();
+    }
+
+    bool
+    turns() const
+    {
+      return !rotation.empty() || body.turns();
     }
   };
 
@@ -71,14 +80,21 @@ namespace seiche
     bool
     any() const
     {
-      return displacement || rotation;
+      return displacement || rotation || body;
     }
 
     /// The pose at a time of the run [s]; the last one asked for is kept.
     const TankPose<dim> &
     at(const double time) const;
 
+    /// The motion in a direction of TankDirection at a time of the run [s].
+    MotionJet
+    jet(const unsigned int direction, const double time) const;
+
     const dealii::Point<dim> centre; ///< [m]
+
+    /// What the fluid moves; null if there is only the motion that is given.
+    const std::unique_ptr<TankBody<dim>> body;
 
   private:
     static constexpr unsigned int n_angles = TankPose<dim>::n_angles;
@@ -88,6 +104,7 @@ namespace seiche
     const double                   spacing; ///< of differences in time [s]
 
     mutable double        time_of_pose;
+    mutable unsigned int  version_of_body = 0;
     mutable TankPose<dim> pose;
   };
 } // namespace seiche

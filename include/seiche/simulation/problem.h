@@ -11,6 +11,7 @@
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/planned_scene.h>
 #include <seiche/solve/assembler.h>
+#include <seiche/solve/tank_coupling.h>
 #include <seiche/utilities/timer_tree.h>
 
 #include <memory>
@@ -115,6 +116,7 @@ namespace seiche
     RowMass<dim>              row_mass;
     WallFriction<dim>         wall_friction;
     WallContact<dim>          wall_contact;
+    TankCoupling<dim>         tank_coupling;
 
     // equations
     const std::unique_ptr<const Quadrature<dim>> quadrature;

@@ -5,6 +5,7 @@
 #include <seiche/grid/wall_contact.h>
 #include <seiche/solve/linear_system.h>
 #include <seiche/solve/residual_projection.h>
+#include <seiche/solve/tank_coupling.h>
 
 #include <cmath>
 #include <string>
@@ -50,7 +51,8 @@ namespace seiche
    * if the problem proved nearly linear. Updates that make the residual grow
    * are shortened. Two updates in a row that hardly reduce it end an iteration
    * that may give up early. The set of nodes that unilateral walls hold is
-   * corrected after each update.
+   * corrected after each update, the acceleration of a tank that the fluid
+   * moves once it has converged.
    */
   template <int dim>
   class Newton
@@ -63,11 +65,12 @@ namespace seiche
            const double             first_forcing,
            const LinearSystem<dim> &system,
            ResidualProjection<dim> &projection,
-           WallContact<dim>        &contact);
+           WallContact<dim>        &contact,
+           TankCoupling<dim>       &tank);
 
-    /// Solve for state.solution, starting at its value; assembler and contact
-    /// have been begun for the step. state.reaction belongs to the solution.
-    /// Collective.
+    /// Solve for state.solution, starting at its value; assembler, contact
+    /// and tank have been begun for the step. state.reaction belongs to the
+    /// solution. Collective.
     NewtonResult
     solve(GridState<dim> &state, const IfUnconverged then);
 
@@ -124,6 +127,10 @@ namespace seiche
       }
     };
 
+    /// What the residual must fall to, by what it is now or has been.
+    void
+    set_target(Progress &progress, const GridState<dim> &state) const;
+
     /// Residual of the state, and what it must fall to.
     Progress
     begin(GridState<dim> &state, const IfUnconverged then);
@@ -155,6 +162,7 @@ namespace seiche
     const LinearSystem<dim>  system;
     ResidualProjection<dim> &projection;
     WallContact<dim>        &contact;
+    TankCoupling<dim>       &tank;
     BlockVector              residual, update;
     BlockVector  residual_change; ///< new less old; A update if linear
     BlockVector  product;
