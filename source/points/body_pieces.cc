@@ -179,7 +179,13 @@ namespace seiche
     for (const auto *other : earlier)
       if (!apart(other->bounding_box(), box))
         others.push_back(other);
-    const bool fills_lattice = shape.is_box();
+    // far from the surface one distance tells all
+    const double distance =
+      shape.bounds_distance() ? shape.distance(box.center()) : 0.;
+    const auto   corners = box.get_boundary_points();
+    const bool   is_far =
+      2. * std::abs(distance) > corners.first.distance(corners.second);
+    const bool fills_lattice = shape.is_box() || (is_far && distance < 0.);
     const auto level         = [&](const Point<dim> &x) {
       double result =
         fills_lattice ? std::numeric_limits<double>::lowest() : shape.level(x);
@@ -187,7 +193,7 @@ namespace seiche
         result = std::max(result, -other->level(x));
       return result;
     };
-    if (apart(shape.bounding_box(), box))
+    if (apart(shape.bounding_box(), box) || (is_far && distance > 0.))
       lattice.n_all = 0;
     if (lattice.n_all > 0 && (!fills_lattice || !others.empty()))
       result.parts = find_parts<dim>(level, lattice);

@@ -74,6 +74,12 @@ namespace seiche
                               std::pow(placement.scale, dim) * shape->volume();
       }
 
+      bool
+      bounds_distance() const override
+      {
+        return shape->bounds_distance();
+      }
+
       Thickness<dim>
       least_thickness() const override
       {

@@ -117,6 +117,12 @@ namespace seiche
         return its_volume;
       }
 
+      bool
+      bounds_distance() const override
+      {
+        return true;
+      }
+
       Thickness<3>
       least_thickness() const override
       {

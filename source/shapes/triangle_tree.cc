@@ -115,27 +115,38 @@ namespace seiche
   TriangleTree::Nearest
   TriangleTree::nearest(const Point<3> &x) const
   {
-    Nearest    result{0, {}, std::numeric_limits<double>::max()};
-    const auto all = index::nearest(x, boxes->tree.size());
-    for (auto found = boxes->tree.qbegin(all); found != boxes->tree.qend();
-         ++found)
+    Nearest            result{0, {}, std::numeric_limits<double>::max()};
+    std::vector<Entry> near;
+    for (std::size_t n = 8; true; n *= 8)
       {
-        // boxes come in the order of their distances
-        if (boost::geometry::comparable_distance(x, found->first) >
-            result.distance * result.distance)
-          break;
-        const unsigned int t = found->second;
-        const Point<3>     a = surface.vertex(t, 0), b = surface.vertex(t, 1),
-                       c       = surface.vertex(t, 2);
-        const auto     weights = nearest_weights(x, a, b, c);
-        const Point<3> place(weights[0] * Tensor<1, 3>(a) +
-                             weights[1] * Tensor<1, 3>(b) +
-                             weights[2] * Tensor<1, 3>(c));
-        const double   distance = x.distance(place);
-        if (distance < result.distance)
-          result = {t, weights, distance};
+        near.clear();
+        boxes->tree.query(index::nearest(x, n), std::back_inserter(near));
+        double farthest = 0.; // of these boxes; all others are beyond it
+        for (const auto &[box, triangle] : near)
+          {
+            look_at(x, triangle, result);
+            farthest = std::max(farthest, boost::geometry::distance(x, box));
+          }
+        if (result.distance <= farthest || near.size() < n)
+          return result;
       }
-    return result;
+  }
+
+  void
+  TriangleTree::look_at(const Point<3>    &x,
+                        const unsigned int triangle,
+                        Nearest           &nearest) const
+  {
+    const Point<3> a = surface.vertex(triangle, 0),
+                   b = surface.vertex(triangle, 1),
+                   c = surface.vertex(triangle, 2);
+    const auto     weights = nearest_weights(x, a, b, c);
+    const Point<3> place(weights[0] * Tensor<1, 3>(a) +
+                         weights[1] * Tensor<1, 3>(b) +
+                         weights[2] * Tensor<1, 3>(c));
+    const double   distance = x.distance(place);
+    if (distance < nearest.distance)
+      nearest = {triangle, weights, distance};
   }
 
   std::optional<double>

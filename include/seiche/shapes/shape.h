@@ -66,6 +66,13 @@ namespace seiche
       return std::numeric_limits<double>::quiet_NaN();
     }
 
+    /// True if no place of the surface is nearer than distance() says.
+    virtual bool
+    bounds_distance() const
+    {
+      return false;
+    }
+
     /// Infinite if it is not known. May be slow.
     virtual Thickness<dim>
     least_thickness() const

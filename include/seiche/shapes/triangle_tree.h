@@ -43,6 +43,12 @@ namespace seiche
     cutting_pair() const;
 
   private:
+    /// Nearer than what is known?
+    void
+    look_at(const dealii::Point<3> &x,
+            const unsigned int      triangle,
+            Nearest                &nearest) const;
+
     struct Boxes;
     const TriangleSurface       &surface;
     const std::unique_ptr<Boxes> boxes;
