@@ -182,8 +182,8 @@ namespace seiche
     // far from the surface one distance tells all
     const double distance =
       shape.bounds_distance() ? shape.distance(box.center()) : 0.;
-    const auto   corners = box.get_boundary_points();
-    const bool   is_far =
+    const auto corners = box.get_boundary_points();
+    const bool is_far =
       2. * std::abs(distance) > corners.first.distance(corners.second);
     const bool fills_lattice = shape.is_box() || (is_far && distance < 0.);
     const auto level         = [&](const Point<dim> &x) {

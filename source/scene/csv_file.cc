@@ -14,8 +14,6 @@ namespace seiche
 {
   namespace
   {
-    constexpr std::uintmax_t largest_table = 64u << 20;
-
     std::string
     trimmed(const std::string &text)
     {
@@ -62,12 +60,13 @@ namespace seiche
   } // namespace
 
   std::string
-  readable_file(const InputFile   &input,
-                const std::string &path,
-                const std::string &file)
+  readable_file(const InputFile     &input,
+                const std::string   &path,
+                const std::string   &file,
+                const std::uintmax_t largest)
   {
     const std::string filename = as_typed(input.file_beside(file));
-    const std::string problem  = problem_of_file(filename, largest_table);
+    const std::string problem  = problem_of_file(filename, largest);
     input.require(problem.empty(),
                   path,
                   fmt::format("the file {}: {}. Names are relative to the "

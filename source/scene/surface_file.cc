@@ -19,6 +19,8 @@ namespace seiche
 
   namespace
   {
+    constexpr std::uintmax_t largest_surface = 1u << 30;
+
     constexpr std::array<const char *, 4> formats = {
       {".stl", ".obj", ".ply", ".off"}};
 
@@ -53,11 +55,17 @@ namespace seiche
       }
 
       TriangleSurface surface;
+      bool            is_finite = true;
 
     private:
       unsigned int
-      number(const aiVector3D &x)
+      number(aiVector3D x)
       {
+        if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z))
+          {
+            is_finite = false;
+            x         = aiVector3D(); // no key is not a number
+          }
         const auto [known, is_new] =
           numbers.emplace(std::array<double, 3>{{x.x, x.y, x.z}},
                           surface.vertices.size());
@@ -69,14 +77,6 @@ namespace seiche
       std::map<std::array<double, 3>, unsigned int> numbers;
     };
 
-    TriangleSurface
-    surface_of(const aiScene &scene)
-    {
-      SurfaceBuilder builder;
-      for (unsigned int m = 0; m < scene.mNumMeshes; ++m)
-        builder.add(*scene.mMeshes[m]);
-      return std::move(builder.surface);
-    }
   } // namespace
 
   TriangleSurface
@@ -85,7 +85,8 @@ namespace seiche
                const std::string &file)
   {
     input.require(!file.empty(), path, "the name of a file is needed.");
-    const std::string filename = readable_file(input, path, file);
+    const std::string filename =
+      readable_file(input, path, file, largest_surface);
     input.require(is_known(filename),
                   path,
                   filename + ": the name of a surface ends in .stl, .obj, .ply "
@@ -99,16 +100,14 @@ namespace seiche
                   filename + ": " +
                     (scene != nullptr ? "there are no triangles." :
                                         importer.GetErrorString()));
-    TriangleSurface surface = surface_of(*scene);
-    input.require(std::all_of(surface.vertices.begin(),
-                              surface.vertices.end(),
-                              [](const auto &x) {
-                                return std::isfinite(x.norm_square());
-                              }),
+    SurfaceBuilder builder;
+    for (unsigned int m = 0; m < scene->mNumMeshes; ++m)
+      builder.add(*scene->mMeshes[m]);
+    input.require(builder.is_finite,
                   path,
                   filename + ": a coordinate is not finite.");
-    const std::string problem = problem_of_surface(surface);
+    const std::string problem = problem_of_surface(builder.surface);
     input.require(problem.empty(), path, filename + ": " + problem);
-    return surface;
+    return std::move(builder.surface);
   }
 } // namespace seiche

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
 #include <seiche/scene/entry_values.h>
+#include <seiche/scene/expression_text.h>
 #include <seiche/scene/sample_times.h>
 #include <seiche/scene/tank_body.h>
 #include <seiche/utilities/state_archive.h>
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace seiche
 {
@@ -215,6 +217,12 @@ namespace seiche
                           inertia_path,
                           "an expression of t alone is needed.");
         }
+    std::set<std::string> names;
+    (void)problem_in_expression(parameters.load, names);
+    input.require(names.count("z") == 0,
+                  load_path,
+                  "z does not exist here: x is the displacement or angle in "
+                  "this direction, y its rate.");
     loads.check_until(end_time);
     const auto places = read_numbers<dim>(input,
                                           "Tank motion/Start",

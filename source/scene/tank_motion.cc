@@ -155,14 +155,13 @@ namespace seiche
                               const double                     last_time,
                               const double                     step)
     : centre(entry_values::point<dim>(input, centre_path, parameters.centre))
-    , body(
-        parameters.body.any() ?
-          std::make_unique<TankBody<dim>>(parameters.body, input, last_time) :
-          nullptr)
     , end_time(last_time)
     , spacing(share_of_step * std::min(step, end_time))
     , time_of_pose(std::numeric_limits<double>::quiet_NaN())
   {
+    if (parameters.body.any())
+      free_body =
+        std::make_unique<TankBody<dim>>(parameters.body, input, end_time);
     const Tensor<1, dim> edges = grid.upper_corner - grid.lower_corner;
     const double         smallest =
       *std::min_element(edges.begin_raw(), edges.end_raw());
@@ -219,9 +218,9 @@ namespace seiche
         time,
         spacing,
         end_time);
-    if (body)
+    if (free_body)
       {
-        const MotionJet free = body->jet(direction, time);
+        const MotionJet free = free_body->jet(direction, time);
         result.value += free.value;
         result.first += free.first;
         result.second += free.second;
@@ -233,10 +232,11 @@ namespace seiche
   const TankPose<dim> &
   TankMotion<dim>::at(const double time) const
   {
-    if (time == time_of_pose && (!body || version_of_body == body->version()))
+    if (time == time_of_pose &&
+        (!free_body || version_of_body == free_body->version()))
       return pose;
-    if (body)
-      version_of_body = body->version();
+    if (free_body)
+      version_of_body = free_body->version();
     MatrixJet<dim> R;
     R.value = unit_symmetric_tensor<dim>();
     for (unsigned int a = 0; a < n_angles; ++a)

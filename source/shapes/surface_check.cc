@@ -15,6 +15,9 @@ namespace seiche
 
   namespace
   {
+    /// Cosine of the angle between opposite faces of a thin part, at least.
+    constexpr double facing = 0.7;
+
     std::string
     at(const Point<3> &x)
     {
@@ -36,7 +39,8 @@ namespace seiche
         {
           const auto         back   = runs.find({edge.second, edge.first});
           const unsigned int n_back = back == runs.end() ? 0 : back->second;
-          if (n == 1 && n_back == 1)
+          if ((n == 1 && n_back == 1) ||
+              (n_back > 0 && edge.first > edge.second)) // seen already
             continue;
           const Point<3> middle(0.5 *
                                 (surface.vertices[edge.first] +
@@ -182,26 +186,27 @@ namespace seiche
   }
 
   Thickness<3>
-  least_thickness(const TriangleSurface &surface)
+  least_thickness(const TriangleSurface &surface, const TriangleTree &tree)
   {
-    const TriangleTree tree(surface);
-    const double       diagonal =
-      BoundingBox<3>(surface.vertices)
-        .get_boundary_points()
-        .first.distance(
-          BoundingBox<3>(surface.vertices).get_boundary_points().second);
+    const auto corners = BoundingBox<3>(surface.vertices).get_boundary_points();
     Thickness<3> result;
     for (unsigned int t = 0; t < surface.triangles.size(); ++t)
       {
         const Tensor<1, 3> normal = surface.area_normal(t);
         if (normal.norm() == 0.)
           continue;
-        const auto hit = tree.first_hit(surface.centre(t),
-                                        -normal / normal.norm(),
-                                        std::min(result.length, diagonal),
-                                        t);
-        if (hit && *hit < result.length)
-          result = {*hit, surface.centre(t)};
+        const auto hit =
+          tree.first_hit(surface.centre(t),
+                         -normal / normal.norm(),
+                         std::min(result.length,
+                                  corners.first.distance(corners.second)),
+                         t);
+        if (!hit || hit->way >= result.length)
+          continue;
+        // what does not face it is a neighbour at an edge
+        const Tensor<1, 3> other = surface.area_normal(hit->triangle);
+        if (normal * other < -facing * normal.norm() * other.norm())
+          result = {hit->way, surface.centre(t)};
       }
     return result;
   }

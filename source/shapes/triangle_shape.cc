@@ -126,7 +126,7 @@ namespace seiche
       Thickness<3>
       least_thickness() const override
       {
-        return seiche::least_thickness(surface);
+        return seiche::least_thickness(surface, tree);
       }
 
     private:

@@ -137,9 +137,9 @@ namespace seiche
                         const unsigned int triangle,
                         Nearest           &nearest) const
   {
-    const Point<3> a = surface.vertex(triangle, 0),
-                   b = surface.vertex(triangle, 1),
-                   c = surface.vertex(triangle, 2);
+    const Point<3> a       = surface.vertex(triangle, 0),
+                   b       = surface.vertex(triangle, 1),
+                   c       = surface.vertex(triangle, 2);
     const auto     weights = nearest_weights(x, a, b, c);
     const Point<3> place(weights[0] * Tensor<1, 3>(a) +
                          weights[1] * Tensor<1, 3>(b) +
@@ -149,15 +149,15 @@ namespace seiche
       nearest = {triangle, weights, distance};
   }
 
-  std::optional<double>
+  std::optional<TriangleTree::Hit>
   TriangleTree::first_hit(const Point<3>     &x,
                           const Tensor<1, 3> &direction,
                           const double        longest,
                           const unsigned int  own) const
   {
     // Step by step: most ways are short, and a long way's box holds many.
-    std::optional<double> first;
-    double                reached = 0.;
+    std::optional<Hit> first;
+    double             reached = 0.;
     for (double step = surface.box(own).side_length(0) +
                        surface.box(own).side_length(1) +
                        surface.box(own).side_length(2);
@@ -178,8 +178,8 @@ namespace seiche
                                         surface.vertex(t, 0),
                                         surface.vertex(t, 1),
                                         surface.vertex(t, 2));
-            if (share && (!first || reached + *share * step < *first))
-              first = reached + *share * step;
+            if (share && (!first || reached + *share * step < first->way))
+              first = Hit{t, reached + *share * step};
           }
         reached += step;
       }

@@ -23,12 +23,14 @@ namespace seiche
     {
       scene.input.require(
         !(scene.grid.any_unilateral() || scene.grid.any_friction() ||
-          scene.grid.any_displaced()) ||
+          scene.grid.any_displaced() || scene.tank_motion.body.any()) ||
           !scene.time_scheme.needs_acceleration(),
         "Time/Scheme",
         "unilateral walls, walls with friction and walls with a "
         "displacement need generalized midpoint: the other schemes carry an "
-        "acceleration that jumps where the fluid meets a wall");
+        "acceleration that jumps where the fluid meets a wall; so does a tank "
+        "that the fluid moves (Tank motion/Free), whose forces are means of a "
+        "step");
       scene.input.require(
         scene.time_scheme.is_elastic_at_end() ||
           (!scene.time_scheme.needs_acceleration() &&

@@ -140,7 +140,7 @@ namespace seiche
       }
       time_stepper.accept(record.error);
       if (problem.tank_coupling.any())
-        problem.tank_motion.body->accept();
+        problem.tank_motion.body_to_move().accept();
       is_on_grid = points_are_controlled = false;
     }
     postprocess();

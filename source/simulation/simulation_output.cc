@@ -99,7 +99,7 @@ namespace seiche
     if (scene.time.controls_error())
       values.push_back(time_stepper.error());
     if (problem.tank_coupling.any())
-      for (const auto &freedom : problem.tank_motion.body->freedoms())
+      for (const auto &freedom : problem.tank_motion.body()->freedoms())
         values.insert(values.end(), {freedom.rate, freedom.fluid});
     for (const auto &change : problem.point_control.account())
       values.push_back(change.second);

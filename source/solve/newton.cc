@@ -271,7 +271,8 @@ namespace seiche
         return;
       }
     residual_change += residual;
-    const bool is_projected = projection.update(state, result.iterations);
+    const bool is_projected =
+      projection.update(state, result.iterations - progress.of_other_tanks);
     if (is_projected)
       system.assembler.residual(state, residual);
     progress.now = norms(residual);
@@ -285,8 +286,7 @@ namespace seiche
   Newton<dim>::solve(GridState<dim> &state, const IfUnconverged then)
   {
     NewtonResult result;
-    Progress     progress         = begin(state, then);
-    unsigned int with_other_tanks = 0; // iterations
+    Progress     progress = begin(state, then);
     while (true)
       {
         const bool is_finite = progress.is_finite();
@@ -295,7 +295,8 @@ namespace seiche
           is_finite && (result.iterations > 0 || progress.is_done());
         const bool walls_differ = may_correct && contact.correct(state);
         const bool tank_differs = may_correct && !walls_differ &&
-                                  progress.is_done() && tank.correct(state);
+                                  progress.is_done() &&
+                                  tank.correct(state, progress.target.momentum);
         if (walls_differ || tank_differs)
           {
             system.assembler.residual(state, residual);
@@ -303,16 +304,17 @@ namespace seiche
             if (tank_differs)
               {
                 set_target(progress, state); // the first guess had less forces
-                with_other_tanks = result.iterations;
+                progress.of_other_tanks = result.iterations;
               }
             progress.begin(first_forcing); // another problem
           }
-        if (progress.is_done())
+        if (progress.is_done() && !tank_differs)
           break;
         result.failure =
           tank.is_lost() ?
             "the acceleration of the tank that the fluid moves is not found" :
-            reason_to_stop(progress, result.iterations - with_other_tanks);
+            reason_to_stop(progress,
+                           result.iterations - progress.of_other_tanks);
         if (result.failure.empty())
           iterate(state, then == IfUnconverged::take_nearest, progress, result);
         if (!result.failure.empty())

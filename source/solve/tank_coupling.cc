@@ -2,6 +2,7 @@
 #include <seiche/solve/tank_coupling.h>
 #include <seiche/utilities/state_archive.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace seiche
@@ -28,9 +29,9 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  TankCoupling<dim>::TankCoupling(const TankMotion<dim> &motion,
-                                  const Occupancy<dim>  &grid_occupancy,
-                                  const double           of_balance)
+  TankCoupling<dim>::TankCoupling(TankMotion<dim>      &motion,
+                                  const Occupancy<dim> &grid_occupancy,
+                                  const double          of_balance)
     : tank(motion)
     , occupancy(grid_occupancy)
     , tolerance(of_balance)
@@ -42,16 +43,29 @@ namespace seiche
   {
     if (!any())
       return;
-    tank.body->begin(state.time, state.dt);
+    tank.body_to_move().begin(state.time, state.dt);
+    const double mass = state.mass.l1_norm();
+    inertias.clear();
+    arms.clear();
+    for (const auto &freedom : tank.body()->freedoms())
+      {
+        inertias.push_back(inertia_of_fluid(state, freedom.direction));
+        arms.push_back(mass > 0. ? std::sqrt(inertias.back() / mass) : 0.);
+      }
     misfit_before = 0.;
     n_corrections = 0;
-    if (!matrix.empty())
-      return;
-    const auto &freedoms = tank.body->freedoms();
-    matrix.reinit(freedoms.size(), freedoms.size());
-    for (unsigned int i = 0; i < freedoms.size(); ++i)
-      matrix(i, i) =
-        tank.body->inertia(i) + inertia_of_fluid(state, freedoms[i].direction);
+    if (!matrix_serves)
+      reset_matrix();
+    matrix_serves = false;
+  }
+
+  template <int dim>
+  void
+  TankCoupling<dim>::reset_matrix()
+  {
+    matrix.reinit(inertias.size(), inertias.size());
+    for (unsigned int i = 0; i < inertias.size(); ++i)
+      matrix(i, i) = tank.body()->inertia(i) + inertias[i];
   }
 
   template <int dim>
@@ -82,39 +96,44 @@ namespace seiche
   std::vector<double>
   TankCoupling<dim>::fluid_loads(const GridState<dim> &state) const
   {
-    const auto         &freedoms = tank.body->freedoms();
+    const auto         &freedoms = tank.body()->freedoms();
     std::vector<double> loads(freedoms.size(), 0.);
     const auto          R = tank.at(state.time + step.theta * step.dt).rotation;
+    // @p force: of the walls on the fluid at a node
+    const auto subtract = [&](const unsigned int    node,
+                              const Tensor<1, dim> &force) {
+      Tensor<1, dim> arm = occupancy.nodes.position(node) - tank.centre;
+      for (unsigned int c = 0; c < dim; ++c)
+        arm[c] +=
+          step.theta * state.displacement().local_element(dim * node + c);
+      for (unsigned int i = 0; i < loads.size(); ++i)
+        loads[i] -= freedoms[i].direction.is_angle() ?
+                      moment<dim>(arm, force, freedoms[i].direction.axis()) :
+                      R[freedoms[i].direction.number] * force;
+    };
     for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       {
-        Tensor<1, dim> force, way;
+        Tensor<1, dim> force;
         for (unsigned int c = 0; c < dim; ++c)
-          {
-            const unsigned int dof = dim * node + c;
-            force[c]               = -state.reaction.local_element(dof) -
-                       state.start_reaction.local_element(dof);
-            way[c] = state.displacement().local_element(dof);
-          }
-        if (force.norm_square() == 0.)
-          continue;
-        const Tensor<1, dim> arm =
-          occupancy.nodes.position(node) - tank.centre + step.theta * way;
-        for (unsigned int i = 0; i < loads.size(); ++i)
-          loads[i] += freedoms[i].direction.is_angle() ?
-                        moment<dim>(arm, force, freedoms[i].direction.axis()) :
-                        R[freedoms[i].direction.number] * force;
+          force[c] = state.reaction.local_element(dim * node + c) +
+                     state.start_reaction.local_element(dim * node + c);
+        if (force.norm_square() > 0.)
+          subtract(node, force);
       }
+    for (const auto &drag : state.drags)
+      subtract(drag.node, drag.force);
     Utilities::MPI::sum(loads, state.mass.get_mpi_communicator(), loads);
     return loads;
   }
 
   template <int dim>
   bool
-  TankCoupling<dim>::correct(const GridState<dim> &state)
+  TankCoupling<dim>::correct(const GridState<dim> &state,
+                             const double          fluid_residual)
   {
     if (!any())
       return false;
-    TankBody<dim>            &body  = *tank.body;
+    TankBody<dim>            &body  = tank.body_to_move();
     const std::vector<double> fluid = fluid_loads(state);
     const unsigned int        n     = fluid.size();
     Vector<double>            imbalance(n);
@@ -129,21 +148,27 @@ namespace seiche
         imbalance(i)      = inertia - load - fluid[i];
         const double terms =
           std::abs(inertia) + std::abs(load) + std::abs(fluid[i]);
-        if (terms > 0.)
-          misfit =
-            std::max(misfit, std::abs(imbalance(i)) / (tolerance * terms));
+        const double allowed = tolerance * terms + arms[i] * fluid_residual;
+        if (allowed > 0.)
+          misfit = std::max(misfit, std::abs(imbalance(i)) / allowed);
         body.set_fluid_load(i, fluid[i]);
       }
     if (misfit_before > clear_misfit)
       update_matrix(imbalance);
     misfit_before = misfit;
-    if (misfit <= 1.)
+    matrix_serves = misfit <= 1.;
+    if (matrix_serves)
       return false;
     ++n_corrections;
     imbalance_before = imbalance;
     correction.reinit(n);
     FullMatrix<double> inverse(n);
     inverse.invert(matrix);
+    if (!std::isfinite(inverse.frobenius_norm()))
+      {
+        reset_matrix();
+        inverse.invert(matrix);
+      }
     inverse.vmult(correction, imbalance);
     correction *= -1.;
     for (unsigned int i = 0; i < n; ++i)
@@ -164,7 +189,7 @@ namespace seiche
     // inertias make lengths of displacements and angles one
     Vector<double> weighted(correction);
     for (unsigned int i = 0; i < weighted.size(); ++i)
-      weighted(i) *= tank.body->inertia(i);
+      weighted(i) *= tank.body()->inertia(i);
     const double square = weighted * correction;
     for (unsigned int i = 0; square > 0. && i < missed.size(); ++i)
       for (unsigned int k = 0; k < missed.size(); ++k)
@@ -176,11 +201,12 @@ namespace seiche
   TankCoupling<dim>::save_or_load(StateArchive &archive)
   {
     archive.section("tank coupling", [&]() {
-      tank.body->save_or_load(archive);
+      tank.body_to_move().save_or_load(archive);
       std::vector<double> values(matrix.m() * matrix.n());
       for (unsigned int i = 0; i < values.size(); ++i)
         values[i] = matrix(i / matrix.n(), i % matrix.n());
       archive("matrix", values);
+      archive("matrix serves", matrix_serves);
       const unsigned int n = std::lround(std::sqrt(values.size()));
       if (archive.loading() && n > 0)
         {

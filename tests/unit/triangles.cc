@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies of triangles from files: volume, distance and normal, the box, the
 // thinnest place; each surface that bounds no body is refused.
-#include <seiche/shapes/triangle_surface.h>
+#include <seiche/shapes/triangle_tree.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 
 #include "shape_checks.h"
 
@@ -175,12 +176,87 @@ namespace
   void
   test_thickness()
   {
-    const auto least = seiche::least_thickness(with_notch());
+    const TriangleSurface notched = with_notch();
+    const auto            least =
+      seiche::least_thickness(notched, seiche::TriangleTree(notched));
     std::cout << "thinnest: " << least.length << " m, of the hollow box ";
     const auto scene =
       scene_with<3>(entries("hollow.stl") + " set Scale = 0.5\n", "");
     std::cout << scene->bodies[0].shape->least_thickness().length << " m"
               << std::endl;
+  }
+
+  /// Of radius 0.4 about (1, 0.5, 0.5).
+  TriangleSurface
+  ball(const unsigned int n)
+  {
+    TriangleSurface    result;
+    const Point<3>     centre(1., 0.5, 0.5);
+    const unsigned int around = 2 * n;
+    const auto         add    = [&](const double polar, const double angle) {
+      result.vertices.emplace_back(
+        centre + 0.4 * Tensor<1, 3>({std::sin(polar) * std::cos(angle),
+                                     std::sin(polar) * std::sin(angle),
+                                     std::cos(polar)}));
+    };
+    add(0., 0.);
+    for (unsigned int i = 1; i < n; ++i)
+      for (unsigned int k = 0; k < around; ++k)
+        add(i * dealii::numbers::PI / n, k * 2. * dealii::numbers::PI / around);
+    add(dealii::numbers::PI, 0.);
+    const unsigned int last = result.vertices.size() - 1;
+    const auto number       = [&](const unsigned int i, const unsigned int k) {
+      return 1 + (i - 1) * around + k % around;
+    };
+    for (unsigned int k = 0; k < around; ++k)
+      {
+        result.triangles.push_back({{0, number(1, k), number(1, k + 1)}});
+        result.triangles.push_back(
+          {{last, number(n - 1, k + 1), number(n - 1, k)}});
+        for (unsigned int i = 1; i + 1 < n; ++i)
+          {
+            result.triangles.push_back(
+              {{number(i, k), number(i + 1, k), number(i + 1, k + 1)}});
+            result.triangles.push_back(
+              {{number(i, k), number(i + 1, k + 1), number(i, k + 1)}});
+          }
+      }
+    return result;
+  }
+
+  /// Of many triangles, near and far: against that of the ball, between which
+  /// and the triangles there is 0.4 (1 - cos) of half an edge's angle.
+  void
+  test_far_distance()
+  {
+    const unsigned int         n       = 20;
+    const TriangleSurface      surface = ball(n);
+    const auto                 shape   = seiche::triangle_shape(ball(n));
+    const seiche::TriangleTree tree(surface);
+    std::mt19937               random(1);
+    std::uniform_real_distribution<double> place(0., 1.);
+    bool                                   good = true;
+    for (unsigned int i = 0; i < 1000; ++i)
+      {
+        const Point<3> x(2. * place(random), place(random), place(random));
+        // all triangles, by the tree of one
+        double least = 1e9;
+        for (const auto &triangle : surface.triangles)
+          {
+            TriangleSurface one;
+            one.triangles = {{{0, 1, 2}}};
+            for (const unsigned int vertex : triangle)
+              one.vertices.push_back(surface.vertices[vertex]);
+            least =
+              std::min(least, seiche::TriangleTree(one).nearest(x).distance);
+          }
+        const double exact    = x.distance(Point<3>(1., 0.5, 0.5)) - 0.4;
+        const double distance = shape->distance(x);
+        good = good && std::abs(std::abs(distance) - least) < 1e-12 &&
+               std::abs(distance - exact) < 0.01;
+      }
+    std::cout << surface.triangles.size()
+              << " triangles, near and far: " << verdict(good) << std::endl;
   }
 
   void
@@ -200,6 +276,10 @@ namespace
     crowded.triangles.push_back(crowded.triangles.front());
     refused_surface(crowded);
     refused_surface({});
+    TriangleSurface without_number = box(0.25, 0.75);
+    without_number.vertices[0][0]  = std::numeric_limits<double>::quiet_NaN();
+    write_binary_stl(without_number, "refused.stl");
+    refused<3>(entries("refused.stl"));
     std::ofstream("noise.stl") << "nothing of the kind";
     refused<3>(entries("noise.stl"));
     std::ofstream("body.dxf") << "0";
@@ -217,5 +297,6 @@ main(int argc, char **argv)
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_bodies();
   test_thickness();
+  test_far_distance();
   test_refused();
 }

@@ -2,6 +2,7 @@
 #ifndef seiche_scene_csv_file_h
 #define seiche_scene_csv_file_h
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -58,11 +59,12 @@ namespace seiche
   };
 
   /// InputError of the entry @p path if its file cannot be read: missing, a
-  /// folder, too large or empty; else its name as the user would type it.
+  /// folder, larger than @p largest [bytes] or empty; else its name as the user would type it.
   std::string
-  readable_file(const InputFile   &input,
-                const std::string &path,
-                const std::string &file);
+  readable_file(const InputFile     &input,
+                const std::string   &path,
+                const std::string   &file,
+                const std::uintmax_t largest = 64u << 20);
 } // namespace seiche
 
 #endif

@@ -80,7 +80,7 @@ namespace seiche
     bool
     any() const
     {
-      return displacement || rotation || body;
+      return displacement || rotation || free_body;
     }
 
     /// The pose at a time of the run [s]; the last one asked for is kept.
@@ -94,12 +94,24 @@ namespace seiche
     const dealii::Point<dim> centre; ///< [m]
 
     /// What the fluid moves; null if there is only the motion that is given.
-    const std::unique_ptr<TankBody<dim>> body;
+    const TankBody<dim> *
+    body() const
+    {
+      return free_body.get();
+    }
+
+    /// The same, to be moved: at() and jet() follow.
+    TankBody<dim> &
+    body_to_move()
+    {
+      return *free_body;
+    }
 
   private:
     static constexpr unsigned int n_angles = TankPose<dim>::n_angles;
 
     std::optional<Expression<dim>> displacement, rotation;
+    std::unique_ptr<TankBody<dim>> free_body;
     const double                   end_time;
     const double                   spacing; ///< of differences in time [s]
 

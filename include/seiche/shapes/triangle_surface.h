@@ -62,10 +62,6 @@ namespace seiche
   std::string
   problem_of_surface(const TriangleSurface &surface);
 
-  /// Least way through the body from the middle of a triangle along its normal.
-  Thickness<3>
-  least_thickness(const TriangleSurface &surface);
-
   /// The distance is exact; its sign is that of the pseudonormal at the nearest
   /// place (Baerentzen and Aanaes 2005). @p surface must have no problem.
   ShapePointer<3>

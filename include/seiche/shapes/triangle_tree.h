@@ -30,9 +30,14 @@ namespace seiche
     Nearest
     nearest(const dealii::Point<3> &x) const;
 
-    /// Way [m] from @p x along the unit vector @p direction to the first
-    /// triangle other than @p own, as far as @p longest.
-    std::optional<double>
+    struct Hit
+    {
+      unsigned int triangle;
+      double       way; ///< [m]
+    };
+    /// From @p x along the unit vector @p direction to the first triangle other
+    /// than @p own, as far as @p longest [m].
+    std::optional<Hit>
     first_hit(const dealii::Point<3>     &x,
               const dealii::Tensor<1, 3> &direction,
               const double                longest,
@@ -53,6 +58,10 @@ namespace seiche
     const TriangleSurface       &surface;
     const std::unique_ptr<Boxes> boxes;
   };
+  /// Least way through the body from the middle of a triangle along its normal
+  /// to one that faces it. @p tree: of the surface.
+  Thickness<3>
+  least_thickness(const TriangleSurface &surface, const TriangleTree &tree);
 } // namespace seiche
 
 #endif

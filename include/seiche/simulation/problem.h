@@ -109,7 +109,7 @@ namespace seiche
     const Transfer<dim>    transfer;
 
     // what acts on the fluid
-    const TankMotion<dim>     tank_motion;
+    TankMotion<dim>           tank_motion;
     const BodyForce<dim>      body_force;
     const WallConditions<dim> wall_conditions;
     ConvexEdges<dim>          convex_edges;

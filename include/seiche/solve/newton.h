@@ -103,6 +103,7 @@ namespace seiche
       bool         reuse       = false; ///< the tangent, in the next iteration
       bool         reused      = false; ///< in the last one, to its end
       unsigned int slow_in_row = 0;     ///< updates
+      unsigned int of_other_tanks = 0;  ///< iterations, before its last one
 
       bool
       is_finite() const

@@ -28,15 +28,15 @@ namespace seiche
   public:
     /// @p tolerance: of the balance, over the sum of its terms [-]. References
     /// must outlive the object.
-    TankCoupling(const TankMotion<dim> &tank,
-                 const Occupancy<dim>  &occupancy,
-                 const double           tolerance);
+    TankCoupling(TankMotion<dim>      &tank,
+                 const Occupancy<dim> &occupancy,
+                 const double          tolerance);
 
     /// True if the fluid moves the tank.
     bool
     any() const
     {
-      return tank.body != nullptr;
+      return tank.body() != nullptr;
     }
 
     /// Begin an attempt at the step of @p state. Collective.
@@ -48,9 +48,11 @@ namespace seiche
     begin_iteration(const StepCoefficients &coefficients);
 
     /// Correct the acceleration by the reactions of a converged state, whose
-    /// residual is another one then. False if it fits. Collective.
+    /// residual is another one then. False if it fits: to the tolerance and to
+    /// what the fluid leaves of its own balance, @p fluid_residual [N].
+    /// Collective.
     bool
-    correct(const GridState<dim> &state);
+    correct(const GridState<dim> &state, const double fluid_residual);
 
     /// True after more corrections in an attempt than one that converges needs.
     bool
@@ -74,18 +76,27 @@ namespace seiche
     std::vector<double>
     fluid_loads(const GridState<dim> &state) const;
 
+    /// The matrix for a fluid that goes with the tank as a rigid body.
+    void
+    reset_matrix();
+
     /// The matrix by the last correction and what it has changed.
     void
     update_matrix(const dealii::Vector<double> &imbalance);
 
-    const TankMotion<dim>     &tank;
+    TankMotion<dim>           &tank;
     const Occupancy<dim>      &occupancy;
     const double               tolerance;
     StepCoefficients           step;
     dealii::FullMatrix<double> matrix; ///< of imbalance by acceleration
-    dealii::Vector<double>     correction, imbalance_before; ///< in this step
-    double       misfit_before = 0.; ///< over what is allowed, the same
-    unsigned int n_corrections = 0;  ///< the same
+    bool matrix_serves = false;        ///< the last attempt ended in balance
+
+    // of this attempt
+    std::vector<double>    inertias; ///< of the fluid as a rigid body
+    std::vector<double>    arms; ///< 1, of an angle the radius of gyration [m]
+    dealii::Vector<double> correction, imbalance_before;
+    double                 misfit_before = 0.; ///< over what is allowed
+    unsigned int           n_corrections = 0;
   };
 } // namespace seiche
 
