@@ -11,6 +11,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 namespace seiche
@@ -77,6 +78,27 @@ namespace seiche
       std::map<std::array<double, 3>, unsigned int> numbers;
     };
 
+    /// InputError if single precision, which assimp has, spoils the shape.
+    void
+    require_digits(const InputFile       &input,
+                   const std::string     &path,
+                   const std::string     &filename,
+                   const TriangleSurface &surface)
+    {
+      constexpr double needed   = 1e-4; // of the size
+      double           farthest = 0., size = 0.;
+      for (const Point<3> &x : surface.vertices)
+        {
+          farthest = std::max(farthest, x.norm());
+          size     = std::max(size, x.distance(surface.vertices[0]));
+        }
+      input.require(farthest * std::numeric_limits<float>::epsilon() <=
+                      needed * size,
+                    path,
+                    filename + ": so far from the origin the coordinates, "
+                               "which are read with 7 digits, do not tell the "
+                               "shape; move the body there, and Shift it.");
+    }
   } // namespace
 
   TriangleSurface
@@ -106,6 +128,7 @@ namespace seiche
     input.require(builder.is_finite,
                   path,
                   filename + ": a coordinate is not finite.");
+    require_digits(input, path, filename, builder.surface);
     const std::string problem = problem_of_surface(builder.surface);
     input.require(problem.empty(), path, filename + ": " + problem);
     return std::move(builder.surface);

@@ -185,58 +185,91 @@ namespace seiche
     });
   }
 
+  namespace
+  {
+    /// InputError if an expression has one of these variables.
+    void
+    require_without(const InputFile                &input,
+                    const std::string              &path,
+                    const std::string              &text,
+                    const std::vector<std::string> &variables,
+                    const std::string              &why)
+    {
+      std::set<std::string> names;
+      (void)problem_in_expression(text, names);
+      for (const std::string &variable : variables)
+        input.require(names.count(variable) == 0, path, why);
+    }
+
+    /// The free directions at the start.
+    template <int dim>
+    std::vector<typename TankBody<dim>::Freedom>
+    make_freedoms(const TankBodyParameters<dim> &parameters,
+                  const InputFile               &input)
+    {
+      const auto        directions = parameters.directions(input);
+      const std::size_t n          = directions.size();
+      const auto        places =
+        read_numbers<dim>(input, "Tank motion/Start", parameters.start, n);
+      const auto rates = read_numbers<dim>(input,
+                                           "Tank motion/Start rate",
+                                           parameters.start_rate,
+                                           n);
+      std::vector<typename TankBody<dim>::Freedom> result(n);
+      for (std::size_t i = 0; i < n; ++i)
+        {
+          result[i].direction = directions[i];
+          result[i].place     = places[i];
+          result[i].rate      = rates[i];
+        }
+      input.require(!parameters.inertia.empty(),
+                    inertia_path,
+                    "the tank's mass, or moment of inertia, is needed in each "
+                    "direction of \"Free\".");
+      require_without(input,
+                      inertia_path,
+                      parameters.inertia,
+                      {"x", "y", "z"},
+                      "an expression of t alone is needed.");
+      require_without(input,
+                      load_path,
+                      parameters.load,
+                      {"z"},
+                      "z does not exist here: x is the displacement or angle "
+                      "in this direction, y its rate.");
+      return result;
+    }
+
+    /// What expressions of loads are tried with.
+    template <int dim>
+    Point<dim>
+    state_of(const typename TankBody<dim>::Freedom &freedom)
+    {
+      Point<dim> state;
+      state[0] = freedom.place;
+      state[1] = freedom.rate;
+      return state;
+    }
+  } // namespace
+
   template <int dim>
   TankBody<dim>::TankBody(const TankBodyParameters<dim> &parameters,
                           const InputFile               &input,
                           const double                   end_time)
-    : list([&]() {
-      std::vector<Freedom> freedoms;
-      for (const auto direction : parameters.directions(input))
-        {
-          freedoms.emplace_back();
-          freedoms.back().direction = direction;
-        }
-      return freedoms;
-    }())
+    : list(make_freedoms(parameters, input))
     , inertias(input, inertia_path, parameters.inertia, list.size())
     , loads(input,
             load_path,
             parameters.load.empty() ? no_loads(list.size()) : parameters.load,
-            list.size())
+            list.size(),
+            state_of<dim>(list.front()))
   {
     for (const double t : sample_times(end_time))
       for (unsigned int i = 0; i < list.size(); ++i)
-        {
-          const double inertia = inertias.value(Point<dim>(), t, i);
-          input.require(inertia > 0.,
-                        inertia_path,
-                        "must be greater than zero at all times.");
-          for (unsigned int d = 0; d < dim; ++d)
-            input.require(inertias.value(Point<dim>::unit_vector(d), t, i) ==
-                            inertia,
-                          inertia_path,
-                          "an expression of t alone is needed.");
-        }
-    std::set<std::string> names;
-    (void)problem_in_expression(parameters.load, names);
-    input.require(names.count("z") == 0,
-                  load_path,
-                  "z does not exist here: x is the displacement or angle in "
-                  "this direction, y its rate.");
+        input.require(inertias.value(Point<dim>(), t, i) > 0.,
+                      inertia_path,
+                      "must be greater than zero at all times.");
     loads.check_until(end_time);
-    const auto places = read_numbers<dim>(input,
-                                          "Tank motion/Start",
-                                          parameters.start,
-                                          list.size());
-    const auto rates  = read_numbers<dim>(input,
-                                         "Tank motion/Start rate",
-                                         parameters.start_rate,
-                                         list.size());
-    for (unsigned int i = 0; i < list.size(); ++i)
-      {
-        list[i].place = places[i];
-        list[i].rate  = rates[i];
-      }
   }
 
   template <int dim>

@@ -57,8 +57,8 @@ namespace seiche
     std::vector<std::string> result;
     if (turn > hardly_turns)
       result.push_back(fmt::format(
-        "the tank turns by {:.3g} degrees: angles of Tank motion/Rotation are "
-        "in radians (a table of degrees needs Factors = 1, 0.0174533)",
+        "the tank turns by {:.3g} degrees: angles of Tank motion (Rotation, Start) "
+        "are in radians (a table of degrees needs Factors = 1, 0.0174533)",
         turn * 180. / numbers::PI));
     else if (upwards > mostly * gravity)
       result.push_back("the body force points upwards: gravity is 0; -9.81 in "

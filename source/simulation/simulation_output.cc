@@ -100,7 +100,10 @@ namespace seiche
       values.push_back(time_stepper.error());
     if (problem.tank_coupling.any())
       for (const auto &freedom : problem.tank_motion.body()->freedoms())
-        values.insert(values.end(), {freedom.rate, freedom.fluid});
+        values.insert(
+          values.end(),
+          {problem.tank_motion.jet(freedom.direction.number, time).first,
+           freedom.fluid});
     for (const auto &change : problem.point_control.account())
       values.push_back(change.second);
     const auto names = scene.simulation_columns();

@@ -312,7 +312,8 @@ namespace seiche
           break;
         result.failure =
           tank.is_lost() ?
-            "the acceleration of the tank that the fluid moves is not found" :
+            "the acceleration of the tank that the fluid moves is not found: a Tank "
+            "motion/Load that jumps must be smoothed" :
             reason_to_stop(progress,
                            result.iterations - progress.of_other_tanks);
         if (result.failure.empty())

@@ -104,7 +104,7 @@ namespace seiche
     /// One free direction; columns of results have its numbers.
     struct Freedom
     {
-      TankDirection<dim> direction;
+      TankDirection<dim> direction{0};
       double             place = 0., rate = 0.;            ///< at t_n
       double             acceleration = 0., previous = 0.; ///< in steps
       double             fluid = 0.; ///< force or moment of the fluid
