@@ -13,6 +13,10 @@ namespace seiche
 
   namespace
   {
+    /// Tolerances of a piece's volume over its box: surfaces of triangles have
+    /// edges everywhere, and their distances are dear.
+    constexpr double of_smooth = 1e-6, of_triangles = 1e-3;
+
     template <int dim>
     bool
     apart(const BoundingBox<dim> &a, const BoundingBox<dim> &b)
@@ -29,7 +33,8 @@ namespace seiche
     template <int dim>
     std::vector<BoxPart<dim>>
     find_parts(const typename BoxPart<dim>::Level      &level,
-               const typename BodyPieces<dim>::Lattice &lattice)
+               const typename BodyPieces<dim>::Lattice &lattice,
+               const double                             tolerance)
     {
       std::array<unsigned int, dim> strides;
       unsigned int                  n_vertices = 1;
@@ -69,7 +74,7 @@ namespace seiche
           else if (range > 0. && highest < -range)
             parts.push_back({1., box.center()});
           else
-            parts.push_back(part_inside<dim>(level, box));
+            parts.push_back(part_inside<dim>(level, box, tolerance));
         }
       return parts;
     }
@@ -196,7 +201,10 @@ namespace seiche
     if (apart(shape.bounding_box(), box) || (is_far && distance > 0.))
       lattice.n_all = 0;
     if (lattice.n_all > 0 && (!fills_lattice || !others.empty()))
-      result.parts = find_parts<dim>(level, lattice);
+      result.parts =
+        find_parts<dim>(level,
+                        lattice,
+                        shape.bounds_distance() ? of_triangles : of_smooth);
 
     const auto all = [&](const double share) {
       return std::all_of(result.parts.begin(),

@@ -18,8 +18,8 @@ namespace seiche
 
   namespace
   {
-    constexpr double tolerance = 1e-6;  // of the first box's volume
-    constexpr double on_face   = 1e-12; // of an edge
+    constexpr double missed  = 1e-6;  // share of the first box
+    constexpr double on_face = 1e-12; // of an edge
     // deepest division: what a corner or an edge leaves is of the order of
     // 2^(-2 depth) of the box
     template <int dim>
@@ -204,6 +204,7 @@ namespace seiche
     void
     add_part(const typename BoxPart<dim>::Level &level,
              const BoundingBox<dim>             &box,
+             const double                        tolerance,
              const unsigned int                  depth,
              BoxPart<dim>                       &sum)
     {
@@ -214,15 +215,14 @@ namespace seiche
           integral.evaluate(check);
           const double checked = integral.volume;
           integral.evaluate(gauss);
-          const bool is_missed =
-            depth == 0 &&
-            (integral.volume < tolerance || integral.volume > 1. - tolerance);
+          const bool is_missed = depth == 0 && (integral.volume < missed ||
+                                                integral.volume > 1. - missed);
           if (is_missed ||
               (std::abs(integral.volume - checked) * size > tolerance &&
                depth < max_depth<dim>))
             {
               for (unsigned int i = 0; i < (1u << dim); ++i)
-                add_part(level, box.child(i), depth + 1, sum);
+                add_part(level, box.child(i), tolerance, depth + 1, sum);
               return;
             }
         }
@@ -239,12 +239,13 @@ namespace seiche
   template <int dim>
   BoxPart<dim>
   part_inside(const typename BoxPart<dim>::Level &level,
-              const BoundingBox<dim>             &box)
+              const BoundingBox<dim>             &box,
+              const double                        tolerance)
   {
     constexpr double round_off = 1e-9;
 
     BoxPart<dim> part;
-    add_part(level, box, 0, part);
+    add_part(level, box, tolerance, 0, part);
     if (part.share < round_off)
       return {0., box.center()};
     if (part.share > 1. - round_off)
@@ -254,7 +255,11 @@ namespace seiche
   }
 
   template BoxPart<2>
-  part_inside<2>(const BoxPart<2>::Level &, const BoundingBox<2> &);
+  part_inside<2>(const BoxPart<2>::Level &,
+                 const BoundingBox<2> &,
+                 const double);
   template BoxPart<3>
-  part_inside<3>(const BoxPart<3>::Level &, const BoundingBox<3> &);
+  part_inside<3>(const BoxPart<3>::Level &,
+                 const BoundingBox<3> &,
+                 const double);
 } // namespace seiche

@@ -27,12 +27,14 @@ namespace seiche
    * in which @p level changes most (compare R. I. Saye, SIAM J. Sci. Comput. 37
    * (2015) A993-A1019). Exact for planes; a box in which another rule gives
    * another volume (corners, edges) is divided. What is smaller than the box
-   * and touches neither its vertices nor its centre may be missed. Local.
+   * and touches neither its vertices nor its centre may be missed. @p tolerance:
+   * of the volume over the box's. Local.
    */
   template <int dim>
   BoxPart<dim>
   part_inside(const typename BoxPart<dim>::Level &level,
-              const dealii::BoundingBox<dim>     &box);
+              const dealii::BoundingBox<dim>     &box,
+              const double                        tolerance = 1e-6);
 } // namespace seiche
 
 #endif
