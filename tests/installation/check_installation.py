@@ -127,10 +127,10 @@ def papers(folder):
     bibliography = (SOURCE / "doc/references.bib").read_text()
     keys = re.findall(r"^@\w+\{(\w+),$", bibliography, re.M)
     require(len(keys) == len(set(keys)) > 20, "a key occurs twice")
-    scene = SOURCE / "prm/examples/dam_break.prm"
+    usual = SOURCE / "prm/examples/dam_break.prm"
     used = set()
 
-    def cited(*settings):
+    def cited(*settings, scene=usual):
         options = [word for text in settings for word in ("--set", text)]
         run(PROGRAM, scene, "--output", "run", "--set", "Time/End time = 0.001", *options, cwd=folder)
         found = re.findall(r"^@\w+\{(\w+),$", (folder / "run/methods.bib").read_text(), re.M)
@@ -147,6 +147,7 @@ def papers(folder):
             (["Walls/Contact = unilateral"], "hueeber2005", "schlichting1979"),
             (["Walls/Bottom friction = 0.01"], "schlichting1979", "hueeber2005"),
             (["Points/Shifting sweeps = 1"], "lind2012", "wood1980"),
+            (["Tank motion/Free = x", "Tank motion/Inertia = 100"], "broyden1965", "wood1980"),
             (["Fluid/Viscosity law = power law"], "bird1987", "wood1980"),
             (["Quadrature/Rule = material points"], "bonet1998", "saye2015"),
             (["Formulation/Stabilization = OSGS"], "codina2002", "codina2008"),
@@ -156,6 +157,7 @@ def papers(folder):
             (["Solver/Linear solver = direct"], "eisenstat1996", "saad1993")]:
         found = cited(*settings)
         require(has in found and has_not not in found, f"{settings} cites {sorted(found)}")
+    require("baerentzen2005" in cited(scene=SOURCE / "tests/scene/shapes_3d.prm"), "triangles")
     # every transfer has its paper, and every paper its use
     table = run(PROGRAM, "--print-parameters")
     methods = re.search(r"## Subsection Transfer\n.*?`Method` \|[^|]*\| one of ([^|]*)\|", table,
