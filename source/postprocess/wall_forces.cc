@@ -5,6 +5,7 @@
 #include <seiche/postprocess/wall_names.h>
 #include <seiche/scene/wall_slack.h>
 #include <seiche/utilities/axis_names.h>
+#include <seiche/utilities/moment.h>
 #include <seiche/utilities/over_ranks.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -18,9 +19,6 @@ namespace seiche
 
   namespace
   {
-    template <int dim>
-    constexpr unsigned int n_rotations = (dim == 2 ? 1 : 3);
-
     /// Names of the sides of a box.
     template <int dim>
     std::string
@@ -75,19 +73,6 @@ namespace seiche
       return std::abs(side.is_upper() ? box.upper_corner[d] - at.second[d] :
                                         box.lower_corner[d] - at.first[d]) <=
              wall_slack(domain.side_length(d));
-    }
-
-    /// r x F: the component along z in 2D.
-    template <int dim>
-    std::array<double, n_rotations<dim>>
-    moment(const Tensor<1, dim> &arm, const Tensor<1, dim> &force)
-    {
-      if constexpr (dim == 2)
-        return {{arm[0] * force[1] - arm[1] * force[0]}};
-      else
-        return {{arm[1] * force[2] - arm[2] * force[1],
-                 arm[2] * force[0] - arm[0] * force[2],
-                 arm[0] * force[1] - arm[1] * force[0]}};
     }
   } // namespace
 

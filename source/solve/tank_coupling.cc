@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/tank_coupling.h>
+#include <seiche/utilities/moment.h>
 #include <seiche/utilities/state_archive.h>
 
 #include <algorithm>
@@ -14,18 +15,6 @@ namespace seiche
     /// Over the tolerance, below which corrections tell nothing but what the
     /// fluid has not converged.
     constexpr double clear_misfit = 10.;
-
-    /// Component of r x F about an axis.
-    template <int dim>
-    double
-    moment(const Tensor<1, dim> &arm,
-           const Tensor<1, dim> &force,
-           const unsigned int    axis)
-    {
-      const unsigned int i = dim == 2 ? 0 : (axis + 1) % dim,
-                         j = dim == 2 ? 1 : (axis + 2) % dim;
-      return arm[i] * force[j] - arm[j] * force[i];
-    }
   } // namespace
 
   template <int dim>
@@ -106,10 +95,13 @@ namespace seiche
       for (unsigned int c = 0; c < dim; ++c)
         arm[c] +=
           step.theta * state.displacement().local_element(dim * node + c);
+      const auto turn = moment(arm, force);
       for (unsigned int i = 0; i < loads.size(); ++i)
-        loads[i] -= freedoms[i].direction.is_angle() ?
-                      moment<dim>(arm, force, freedoms[i].direction.axis()) :
-                      R[freedoms[i].direction.number] * force;
+        {
+          const TankDirection<dim> &direction = freedoms[i].direction;
+          loads[i] -= direction.is_angle() ? turn[direction.number - dim] :
+                                             R[direction.number] * force;
+        }
     };
     for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       {
