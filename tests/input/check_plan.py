@@ -168,12 +168,15 @@ def share_foretold(program, name, overrides):
 
 def check_dearer(program, problems):
     """Beside a usual run before each of them, for the cores may be shared, within a
-    factor of two."""
+    factor of two; what others do on the cores is not the same in three attempts."""
     for name, *overrides in DEARER:
-        usual = share_foretold(program, USUAL[0], USUAL[1:])
-        share = share_foretold(program, name, overrides) / usual
-        print(f"{name}: {share:.2f} of the time taken foretold, beside a usual run")
-        if not 0.5 <= share <= 2.:
+        for _ in range(3):
+            usual = share_foretold(program, USUAL[0], USUAL[1:])
+            share = share_foretold(program, name, overrides) / usual
+            print(f"{name}: {share:.2f} of the time taken foretold, beside a usual run")
+            if 0.5 <= share <= 2.:
+                break
+        else:
             problems.append(f"{name}: {share:.2f} of the time taken foretold")
 
 
