@@ -160,7 +160,7 @@ class Run:
         names = ["Obstacle %s/%%s corner" % name for name in self.instances("Obstacle")]
         corners = [[self.numbers(n % "Lower"), self.numbers(n % "Upper")] for n in names]
         return Walls(numpy.array(lower), numpy.array(upper), numpy.array(corners),
-                     self.sides("open", "periodic"))
+                     self.sides("open", "periodic"), numpy.zeros((0, self.dim, self.dim)))
 
     def sides(self, *conditions):
         """Sides of the box with one of these conditions, as (direction, 0 lower or 1
@@ -180,9 +180,10 @@ class Run:
         return int(self.parameter("Dimension", "2") or 2)
 
 
-class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides")):
+class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides solids")):
     """Corners of the box [dim] and of the obstacles [n, 2, dim] [m]; sides without a
-    wall, open or periodic, as (direction, 0 lower or 1 upper)."""
+    wall, open or periodic, as (direction, 0 lower or 1 upper); corners of the pieces of
+    solids [n, dim, dim] [m]."""
 
     @staticmethod
     def of_frame(frame, dim):
@@ -198,7 +199,10 @@ class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides"))
             d = int(numpy.ptp(corners, axis=0).argmin())
             sides.add((d, int(abs(corners[0, d] - upper[d]) < abs(corners[0, d] - lower[d]))))
         obstacles = numpy.array(box[1:], float).reshape(-1, 2, dim)
-        return Walls(lower.astype(float), upper.astype(float), obstacles, frozenset(sides))
+        pieces = frame["cells"][parts[frame["cells"][:, 0]] < 0]
+        solids = frame["points"][pieces[:, :dim], :dim].astype(float)
+        return Walls(lower.astype(float), upper.astype(float), obstacles, frozenset(sides),
+                     solids)
 
 
 def field(frame, name):

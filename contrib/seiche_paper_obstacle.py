@@ -60,9 +60,9 @@ def evolution(runs, output, numbers):
                 say(axes, runs[name].ending())
                 axes.set_axis_off()
                 continue
-            lower, upper, obstacles, _ = runs[name].run.walls_at(0)
-            view = view or View(lower, [SHOWN, *upper[1:]], EYE, 800, obstacles)
-            edges = columns_of(lower, upper, frame)
+            walls = runs[name].run.walls_at(0)
+            view = view or View(walls.lower, [SHOWN, *walls.upper[1:]], EYE, 800, walls.obstacles)
+            edges = columns_of(walls.lower, walls.upper, frame)
             height = depths_at(frame["points"], depth(frame, edges), edges)
             colours = WATER(numpy.clip(height / DEEPEST, 0, 1))[:, :3]
             image = view.picture(frame["points"], BALL * field(frame, "radius"), colours)

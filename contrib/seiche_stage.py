@@ -34,6 +34,7 @@ FLUIDS = (WATER, "#e0a030", "#4f9d69", "#9867ad", "#c65f46", "#85855a")
 EDGE = "#0b2a45"  # of a fluid
 LABEL = {"boxstyle": "round,pad=0.2", "fc": EDGE, "ec": "none", "alpha": 0.7}  # of its name
 SOLID = "#8b8b8b"
+RASTER = 401  # places along a side that tell solids from water
 SAMPLED = 20  # frames that limits and extents are taken from
 VIEW = (-0.8, -1.6, 1.0)  # direction to the eye, 3D
 THICKNESS = 0.02  # of a drawn wall over the longest side of the picture
@@ -165,7 +166,12 @@ class Stage2D(Stage):
         beyond = 1.5 * self.thickness
         self.low = numpy.maximum(low - margin, self.box[0] - beyond)
         self.high = numpy.minimum(high + margin, self.box[1] + beyond)
-        for low_corner, high_corner in run.walls_at(0).obstacles:  # none cut off
+        walls = run.walls_at(0)
+        bodies = list(walls.obstacles)
+        if len(walls.solids):
+            ends = walls.solids.reshape(-1, 2)
+            bodies.append((ends.min(axis=0), ends.max(axis=0)))
+        for low_corner, high_corner in bodies:  # none cut off
             self.high = numpy.maximum(self.high, numpy.minimum(high_corner + 0.5 * margin, self.box[1]))
             self.low = numpy.minimum(self.low, numpy.maximum(low_corner - 0.5 * margin, self.box[0]))
         for d in run.periodic():  # what lies beyond is shown at the other side
@@ -230,6 +236,30 @@ class Stage2D(Stage):
             axes.plot(*line.T, color="#333333", lw=0.9, zorder=4)
         for low, high in walls.obstacles:
             rectangle(axes, low, high, fc=SOLID, ec="#333333", lw=0.9, zorder=3)
+        if len(walls.solids):
+            across = numpy.linspace(walls.lower[0], walls.upper[0], RASTER)
+            up = numpy.linspace(walls.lower[1], walls.upper[1], RASTER)
+            height = distance_from_solids(walls.solids, across, up)
+            axes.contourf(across, up, height, [-numpy.inf, 0.0], colors=[SOLID], zorder=3)
+            axes.add_collection(LineCollection(walls.solids, colors="#333333", lw=0.9, zorder=4))
+
+
+def distance_from_solids(pieces, across, up):
+    """At the places of a raster, from lines [n, 2, 2] with the fluid on their right:
+    positive in the fluid. Where two lines are equally near the one seen steeper counts."""
+    start, way = pieces[:, 0], pieces[:, 1] - pieces[:, 0]
+    length = numpy.hypot(*way.T)
+    result = numpy.empty((len(up), len(across)))
+    for row, y in enumerate(up):
+        to = numpy.stack([across, numpy.full_like(across, y)], axis=1)[:, None] - start
+        along = numpy.clip((to * way).sum(axis=2) / length**2, 0.0, 1.0)
+        distance = numpy.hypot(*numpy.moveaxis(to - along[..., None] * way, 2, 0))
+        right = (to[..., 0] * way[:, 1] - to[..., 1] * way[:, 0]) / length
+        nearest = distance <= distance.min(axis=1, keepdims=True) * (1 + 1e-6) + 1e-12
+        best = numpy.where(nearest, numpy.abs(right), -1.0).argmax(axis=1)
+        place = numpy.arange(len(across)), best
+        result[row] = numpy.copysign(distance[place], right[place])
+    return result
 
 
 class Stage3D(Stage):

@@ -12,6 +12,7 @@
 #include <seiche/formulation/term_list.h>
 #include <seiche/formulation/viscous_term.h>
 #include <seiche/formulation/volume_constraint_term.h>
+#include <seiche/formulation/wall_term.h>
 
 namespace seiche
 {
@@ -54,6 +55,7 @@ namespace seiche
     const MomentumSubscaleTerm  momentum_subscale;
     const PressureSubscaleTerm  pressure_subscale(volume_law.bulk_modulus);
     const PointInertiaTerm      point_inertia(free_surface.point_inertia);
+    const WallTerm              walls;
     const GhostAccelerationTerm ghost_acceleration(free_surface);
     const GhostPressureTerm     ghost_pressure(free_surface);
 
@@ -65,6 +67,7 @@ namespace seiche
                                       momentum_subscale,
                                       pressure_subscale,
                                       point_inertia,
+                                      walls,
                                       ghost_acceleration,
                                       ghost_pressure,
                                       GhostVelocityTerm(free_surface));
@@ -77,6 +80,7 @@ namespace seiche
                           momentum_subscale,
                           pressure_subscale,
                           point_inertia,
+                          walls,
                           ghost_acceleration,
                           ghost_pressure);
 
@@ -89,6 +93,7 @@ namespace seiche
                           momentum_subscale,
                           pressure_subscale,
                           point_inertia,
+                          walls,
                           ghost_acceleration,
                           ghost_pressure);
 

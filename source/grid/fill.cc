@@ -43,9 +43,8 @@ namespace seiche
     if (has_surface())
       find_surface(points);
     classify(points);
-    closed.update([this](const unsigned int cell) {
-      return has_surface() ? is_full(cell) : occupancy.cells.is_occupied(cell);
-    });
+    closed.update(
+      [this](const unsigned int cell) { return has_no_room(cell); });
     mark_inner_nodes();
     collect_ghost_faces();
   }
@@ -98,6 +97,17 @@ namespace seiche
 
   template <int dim>
   bool
+  Fill<dim>::has_no_room(const unsigned int cell) const
+  {
+    constexpr double round_off = 1e-9;
+    if (!has_surface())
+      return occupancy.cells.is_occupied(cell);
+    return inside_share(cell) >=
+           (walls().exist() ? walls().wet_share(cell) - round_off : 1.);
+  }
+
+  template <int dim>
+  bool
   Fill<dim>::touches_unoccupied(const unsigned int cell) const
   {
     const auto neighbors = occupancy.locator.cells.vertex_neighbors(cell);
@@ -124,7 +134,7 @@ namespace seiche
     loose.assign(points.size(), 0.);
     has_loose.assign(locator.cells.n_owned(), 0);
     for (const unsigned int cell : occupancy.cells.occupied())
-      if (surface().inside_share(cell) < 1.)
+      if (!has_no_room(cell))
         for (const std::size_t p : points.points_in(cell))
           {
             // round-off must not make a point part of the quadrature
@@ -201,7 +211,7 @@ namespace seiche
   {
     const auto is_fragment = [&](const unsigned int cell) {
       return occupancy.cells.holds_points(cell) &&
-             inside_share(cell) < fragment_below;
+             inside_share(cell) < fragment_below * walls().wet_share(cell);
     };
     faces.clear();
     for_each_assembled_face(

@@ -23,6 +23,8 @@ namespace seiche
     for (Vector *vector : {&velocity_series, &unseen_series})
       vector->reinit(0);
     drags.clear();
+    solid_reactions.clear();
+    solid_start_reactions.clear();
     for (Vector *vector : {&unseen_velocity, &unseen_mass})
       if (occupancy.zero_components.exist())
         vector->reinit(components);

@@ -13,10 +13,9 @@ namespace seiche
   {
     constexpr unsigned int n_corrections      = 2;
     constexpr double       longest_correction = 0.25; // [cells]
-    constexpr double       least_slope = 0.35;  // of the fill over the distance
-    constexpr double       on_surface  = 1e-12; // in place of zero: outside
-    constexpr double       negligible  = 1e-9;  // share of a cell
-    constexpr double empty_or_full     = 1e-6;  // fill that needs no correction
+    constexpr double       least_slope = 0.35; // of the fill over the distance
+    constexpr double       negligible  = 1e-9; // share of a cell
+    constexpr double empty_or_full     = 1e-6; // fill that needs no correction
 
     constexpr double least_loose = 1e-4; // no cell is without quadrature
 
@@ -27,12 +26,6 @@ namespace seiche
     {
       const double f = std::clamp(fill, 0., 1.);
       return f >= 0.5 ? 1. - std::sqrt(2. * (1. - f)) : -1. + std::sqrt(2. * f);
-    }
-
-    double
-    level_at(const double value)
-    {
-      return value == 0. ? on_surface : value;
     }
 
     /// For each vertex of an own cut cell, sum of n_d^2 over the walls at it, n
@@ -73,16 +66,13 @@ namespace seiche
   Surface<dim>::update(const Vector &nodal_fill)
   {
     level.reinit(occupancy.nodes.partitioner());
-    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
-      level.local_element(i) = level_at(-distance(nodal_fill.local_element(i)));
-    level.update_ghost_values();
-    cut_cells();
-    integrate();
-    for (unsigned int i = 0; i < n_corrections; ++i)
+    if (!walls().exist())
+      follow(nodal_fill);
+    else
       {
-        correct(nodal_fill);
-        cut_cells();
-        integrate();
+        follow(continued_fill(nodal_fill));
+        cut_cells(/*at_walls=*/true);
+        integrate(/*at_walls=*/true);
       }
     represented.reinit(level);
     for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
@@ -91,6 +81,32 @@ namespace seiche
           std::min(1., inside_fill.local_element(i) / fill);
     represented.update_ghost_values();
     inside_fill.update_ghost_values();
+  }
+
+  template <int dim>
+  void
+  Surface<dim>::set_level(const Vector &fill)
+  {
+    for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
+      level.local_element(i) = level_at(-distance(fill.local_element(i)));
+    level.update_ghost_values();
+    extend_into_solids();
+  }
+
+  template <int dim>
+  void
+  Surface<dim>::follow(const Vector &fill)
+  {
+    set_level(fill);
+    cut_cells(/*at_walls=*/false);
+    integrate(/*at_walls=*/false);
+    for (unsigned int i = 0; i < n_corrections; ++i)
+      {
+        correct(fill);
+        extend_into_solids();
+        cut_cells(/*at_walls=*/false);
+        integrate(/*at_walls=*/false);
+      }
   }
 
   template <int dim>
@@ -103,8 +119,9 @@ namespace seiche
     occupancy.vertex_values(cell, represented, r);
     point.reinit_values(unit);
     const double missing = 1. - point.value(r);
-    return shares[cell] == 0. ? std::max(missing, least_loose) :
-                                missing * (1. - shares[cell]);
+    return shares[cell] == 0. ?
+             std::max(missing, least_loose) :
+             missing * (1. - shares[cell] / walls().wet_share(cell));
   }
 
   template <int dim>
@@ -118,31 +135,68 @@ namespace seiche
 
   template <int dim>
   void
-  Surface<dim>::cut_cells()
+  Surface<dim>::cut_cells(const bool at_walls)
   {
     const auto &locator = occupancy.locator;
     shares.assign(locator.cells.size(), 0.);
     rule_of_cell.assign(locator.cells.n_owned(), numbers::invalid_unsigned_int);
     rules.clear();
+    wet_parts.clear();
     for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       if (occupancy.cells.is_active(cell))
         {
-          const CutCell<dim> part(level_in(cell));
-          if (part.volume() > 1. - negligible)
-            shares[cell] = 1.;
-          else if (part.volume() > negligible)
-            {
-              shares[cell]       = part.volume();
-              rule_of_cell[cell] = rules.size();
-              rules.push_back(part.points());
-            }
+          if (at_walls && walls().cuts(cell))
+            cut_at_wall(cell);
+          else if (!at_walls || walls().wet_share(cell) > 0.)
+            cut_cell(cell);
         }
     locator.cells.exchange_to_ghosts(shares);
   }
 
   template <int dim>
   void
-  Surface<dim>::integrate()
+  Surface<dim>::cut_cell(const unsigned int cell)
+  {
+    const CutCell<dim> part(level_in(cell));
+    if (part.volume() > 1. - negligible)
+      shares[cell] = 1.;
+    else if (part.volume() > negligible)
+      {
+        shares[cell]       = part.volume();
+        rule_of_cell[cell] = rules.size();
+        rules.push_back(part.points());
+      }
+  }
+
+  template <int dim>
+  void
+  Surface<dim>::cut_at_wall(const unsigned int cell)
+  {
+    const VertexValues<dim> phi = rounded<dim>(level_in(cell));
+    const double            wet = walls().wet_share(cell);
+    if (std::all_of(phi.begin(), phi.end(), [](const double value) {
+          return value < 0.;
+        }))
+      {
+        shares[cell]       = wet;
+        rule_of_cell[cell] = whole;
+        return;
+      }
+    WetPart<dim> part(phi,
+                      walls().distance(cell),
+                      occupancy.locator.cells.geometry(cell));
+    if (part.volume <= negligible)
+      return;
+    for (WallPoint<dim> &point : part.wall)
+      point.solid = walls().solid_near(cell, point.unit);
+    shares[cell]       = part.volume;
+    rule_of_cell[cell] = wet_parts.size();
+    wet_parts.push_back(std::move(part));
+  }
+
+  template <int dim>
+  void
+  Surface<dim>::integrate(const bool at_walls)
   {
     PointBatch<dim, 1, double> point;
     const auto                &locator = occupancy.locator;
@@ -153,22 +207,26 @@ namespace seiche
         if (shares[cell] == 0.)
           continue;
         std::fill(std::begin(of_vertices), std::end(of_vertices), 0.);
-        const double weight =
-          shares[cell] * locator.cells.geometry(cell).measure / point.n_nodes;
-        for (unsigned int q = 0; q < point.n_nodes; ++q)
-          if (shares[cell] == 1.)
-            of_vertices[q] = weight;
-          else
-            {
-              point.reinit_values(rule(cell)[q]);
-              for (unsigned int v = 0; v < point.n_nodes; ++v)
-                of_vertices[v] += point.N[v] * weight;
-            }
+        const double measure = locator.cells.geometry(cell).measure;
+        if (rule_of_cell[cell] == numbers::invalid_unsigned_int)
+          std::fill(std::begin(of_vertices),
+                    std::end(of_vertices),
+                    measure / point.n_nodes);
+        else
+          for_each_point(cell,
+                         at_walls,
+                         [&](const Point<dim> &x, const double weight) {
+                           point.reinit_values(x);
+                           for (unsigned int v = 0; v < point.n_nodes; ++v)
+                             of_vertices[v] += point.N[v] * weight * measure;
+                         });
         occupancy.add_vertex_values(cell, of_vertices, inside_fill);
       }
     inside_fill.compress(VectorOperation::add);
     for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
-      if (const double volume = occupancy.nodes.volume(i); volume > 0.)
+      if (const double volume =
+            at_walls ? occupancy.nodes.volume(i) : whole_volume(i);
+          volume > 0.)
         inside_fill.local_element(i) /= volume;
   }
 

@@ -50,6 +50,25 @@ namespace seiche
     for (unsigned int cell = 0; cell < size(); ++cell)
       geometries[cell] = lattice.geometry(cell);
     find_reaches();
+    find_solids();
+  }
+
+
+
+  template <int dim>
+  void
+  Cells<dim>::find_solids()
+  {
+    const auto &solids = grid.parameters.solids;
+    if (solids.empty())
+      return;
+    near_solids.resize(size());
+    for (unsigned int cell = 0; cell < size(); ++cell)
+      {
+        const auto   x        = geometries[cell].box().center();
+        const double distance = nearest_solid(solids, x)->shape->distance(x);
+        near_solids[cell]     = distance < 1.5 * geometries[cell].edges.norm();
+      }
   }
 
 

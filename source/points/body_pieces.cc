@@ -142,6 +142,9 @@ namespace seiche
     , shape(*shapes[body])
     , per_direction(points_per_direction)
   {
+    for (const Solid<dim> &solid : cells.grid.parameters.solids)
+      if (!apart(solid.shape->bounding_box(), shape.bounding_box()))
+        earlier.push_back(solid.shape.get());
     for (unsigned int b = 0; b < body; ++b)
       if (!apart(shapes[b]->bounding_box(), shape.bounding_box()))
         earlier.push_back(shapes[b]);

@@ -188,6 +188,8 @@ namespace seiche
 
     for (std::size_t p = 0; p < found.n_before; ++p)
       {
+        if (put_out_of_solids(p))
+          ++found.n_set_on_walls;
         dealii::Point<dim> here;
         for (unsigned int d = 0; d < dim; ++d)
           here[d] = x[d][p];

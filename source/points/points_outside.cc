@@ -48,6 +48,46 @@ namespace seiche
 
 
   template <int dim>
+  bool
+  PointCloud<dim>::put_out_of_solids(const std::size_t point)
+  {
+    constexpr double   beside = 1e-6; // of the smallest edge: no cell is dry
+    constexpr unsigned rounds = 4;    // curved walls, corners
+    const auto        &solids = locator.grid.parameters.solids;
+    const unsigned int last   = point_cells[point];
+    if (solids.empty() ||
+        (last != invalid && !locator.cells.is_near_solid(last)))
+      return false;
+    const double above =
+      last == invalid ? 0. :
+                        beside * locator.cells.geometry(last).shortest_edge();
+    bool moved = false;
+    for (unsigned int round = 0; round < rounds; ++round)
+      {
+        const dealii::Point<dim> here  = position(point);
+        const Solid<dim>        *solid = nearest_solid(solids, here);
+        const double             depth = -solid->shape->distance(here);
+        if (!(depth > 0.))
+          break;
+        const dealii::Tensor<1, dim> normal   = solid->shape->normal(here);
+        double                       approach = 0.;
+        for (unsigned int d = 0; d < dim; ++d)
+          approach += normal[d] * data(PointColumn::velocity, d)[point];
+        const double way = depth + above;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            data(PointColumn::position, d)[point] += way * normal[d];
+            data(PointColumn::velocity, d)[point] -=
+              std::min(0., approach) * normal[d];
+          }
+        moved = true;
+      }
+    return moved;
+  }
+
+
+
+  template <int dim>
   void
   PointCloud<dim>::count_outside(const std::size_t point, Found &found) const
   {
@@ -152,6 +192,10 @@ namespace seiche
   PointCloud<2>::set_on_wall(const std::size_t);
   template unsigned int
   PointCloud<3>::set_on_wall(const std::size_t);
+  template bool
+  PointCloud<2>::put_out_of_solids(const std::size_t);
+  template bool
+  PointCloud<3>::put_out_of_solids(const std::size_t);
   template void
   PointCloud<2>::count_outside(const std::size_t, Found &) const;
   template void

@@ -142,6 +142,7 @@ namespace seiche
     air_in_closed_chambers(const StepView<dim> &view)
     {
       const auto &locator = view.occupancy.locator;
+      const auto &solids  = view.occupancy.mesh_nodes.cut_walls;
       if (!view.fill.closed_chambers().any())
         return 0.;
       std::array<double, 2> air_and_volume{};
@@ -149,8 +150,9 @@ namespace seiche
         if (view.fill.closed_chambers().holds_cell(cell))
           {
             const double volume = locator.cells.geometry(cell).measure;
-            air_and_volume[0] += (1. - view.fill.cell_fill(cell)) * volume;
-            air_and_volume[1] += volume;
+            air_and_volume[0] +=
+              (solids.wet_share(cell) - view.fill.cell_fill(cell)) * volume;
+            air_and_volume[1] += solids.wet_share(cell) * volume;
           }
       return ratio(air_and_volume, view.points.communicator);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/cut_cell.h>
 #include <seiche/postprocess/extent_of_surface.h>
+#include <seiche/space/cut_cell.h>
 
 namespace seiche
 {

@@ -39,8 +39,14 @@ def series(name):
     return reader
 
 
+def show_grey(part, view):
+    shown = Show(part, view)
+    shown.ColorArrayName = ["POINTS", ""]
+    shown.AmbientColor = shown.DiffuseColor = GREY
+
+
 def show_walls(walls, view):
-    """The tank as lines, obstacles as bodies."""
+    """The tank as lines, obstacles and solids as bodies."""
     tank = Show(walls, view)
     tank.SetRepresentationType("Wireframe")
     tank.LineWidth = 2.0
@@ -50,9 +56,12 @@ def show_walls(walls, view):
         obstacles = Threshold(registrationName="obstacles", Input=walls,
                               Scalars=["POINTS", "part [-]"])
         obstacles.LowerThreshold, obstacles.UpperThreshold = 0.5, 1e9
-        shown = Show(obstacles, view)
-        shown.ColorArrayName = ["POINTS", ""]
-        shown.AmbientColor = shown.DiffuseColor = GREY
+        show_grey(obstacles, view)
+    if walls.PointData["part [-]"].GetRange()[0] < 0:
+        solids = Threshold(registrationName="solids", Input=walls,
+                           Scalars=["POINTS", "part [-]"])
+        solids.LowerThreshold, solids.UpperThreshold = -1e9, -0.5
+        show_grey(solids, view)
 
 
 def moved_cells(grid):

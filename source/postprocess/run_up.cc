@@ -31,8 +31,9 @@ namespace seiche
   RunUpParameters<dim>::check(const InputFile           &input,
                               const GridParameters<dim> &grid) const
   {
-    const std::vector<std::string> known = wall_names(grid);
-    const std::string              hint  = nearest_hint(wall, known);
+    std::vector<std::string> known = wall_names(grid);
+    known.resize(grid.walls.size()); // no solids
+    const std::string hint = nearest_hint(wall, known);
     const std::string path = std::string(kind) + " " + name + "/Wall";
     const auto id = std::find(known.begin(), known.end(), wall) - known.begin();
     input.require(id < static_cast<std::ptrdiff_t>(known.size()),

@@ -83,7 +83,8 @@ namespace seiche
     prm.add_parameter("Walls",
                       walls,
                       "Sides of the domain (" + side_names<dim>(", ") +
-                        ") and names of obstacles whose forces are added.",
+                        ") and names of obstacles and solids whose forces are "
+                        "added.",
                       Patterns::List(Patterns::Anything()),
                       /*has_to_be_set=*/true);
     prm.add_parameter("Face",
@@ -117,16 +118,15 @@ namespace seiche
                         (hint.empty() ? "." : hint) + " Walls are " +
                         quoted_list(known) + ".");
         require_no_seam(input, grid, path, *wall);
-        input.require(face == "all" ||
-                        !grid.walls[id - known.begin()].is_side(),
+        const std::size_t number = id - known.begin();
+        input.require(face == "all" || (number < grid.walls.size() &&
+                                        !grid.walls[number].is_side()),
                       std::string(kind) + " " + name + "/Face",
-                      "the wall \"" + *wall +
-                        "\" is a side of the domain, and only obstacles have "
-                        "faces; set it to \"all\" or name obstacles alone.");
+                      "only obstacles have faces, and \"" + *wall +
+                        "\" is none; set it to \"all\" or name obstacles "
+                        "alone.");
         if (face != "all")
-          input.require(!touches_side(grid.walls[id - known.begin()],
-                                      face,
-                                      grid.domain()),
+          input.require(!touches_side(grid.walls[number], face, grid.domain()),
                         std::string(kind) + " " + name + "/Face",
                         "this face of \"" + *wall +
                           "\" lies on a side of the domain, where no water "
@@ -155,7 +155,7 @@ namespace seiche
                               const PostprocessorContext<dim> &context)
     : forces(parameters)
     , grid(context.grid)
-    , forces_of_wall(grid.parameters.walls.size())
+    , forces_of_wall(wall_names(grid.parameters).size())
   {
     const std::vector<std::string> names = wall_names(grid.parameters);
     for (unsigned int f = 0; f < forces.size(); ++f)
@@ -220,20 +220,24 @@ namespace seiche
     constexpr unsigned int n = dim + n_rotations<dim>;
     std::vector<double>    sums(n * forces.size(), 0.);
     // what acts on the fluid at a node; its opposite acts on the wall
-    const auto subtract = [&](const unsigned int    f,
-                              const unsigned int    node,
-                              const Tensor<1, dim> &force) {
-      Tensor<1, dim> arm =
-        view.occupancy.nodes.position(node) - forces[f].reference_point;
-      for (unsigned int d = 0; d < dim; ++d)
-        arm[d] +=
-          view.theta * view.state.displacement().local_element(dim * node + d);
+    const auto subtract_at = [&](const unsigned int    f,
+                                 const Point<dim>     &place,
+                                 const Tensor<1, dim> &force) {
       double *sum = &sums[n * f];
       for (unsigned int d = 0; d < dim; ++d)
         sum[d] -= force[d];
-      const auto turn = moment(arm, force);
+      const auto turn = moment(place - forces[f].reference_point, force);
       for (unsigned int r = 0; r < turn.size(); ++r)
         sum[dim + r] -= turn[r];
+    };
+    const auto subtract = [&](const unsigned int    f,
+                              const unsigned int    node,
+                              const Tensor<1, dim> &force) {
+      Point<dim> place = view.occupancy.nodes.position(node);
+      for (unsigned int d = 0; d < dim; ++d)
+        place[d] +=
+          view.theta * view.state.displacement().local_element(dim * node + d);
+      subtract_at(f, place, force);
     };
     for (const Share &share : shares)
       {
@@ -248,6 +252,11 @@ namespace seiche
       for (const unsigned int f : forces_of_wall[drag.wall])
         if (forces[f].face == "all")
           subtract(f, drag.node, drag.force);
+    view.state.for_each_solid_reaction([&](const auto &reaction) {
+      for (const unsigned int f :
+           forces_of_wall[grid.parameters.walls.size() + reaction.solid])
+        subtract_at(f, reaction.place, reaction.force);
+    });
     sum_over_ranks(sums, view.points.communicator);
 
     if (view.step == 0) // nothing has pushed yet

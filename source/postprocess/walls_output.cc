@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/field_patches.h>
 #include <seiche/postprocess/walls_output.h>
+#include <seiche/space/surface_pieces.h>
 #include <seiche/utilities/box_face.h>
 #include <seiche/utilities/result_names.h>
 
@@ -41,6 +42,40 @@ namespace seiche
           }
       walls.patches.push_back(patch);
     }
+
+    /// The walls of solids in own cells, on this rank: triangles as quads.
+    template <int dim>
+    void
+    add_solids(FieldPatches<dim - 1, dim> &walls,
+               const Occupancy<dim>       &occupancy)
+    {
+      constexpr unsigned int n_corners = 1u << (dim - 1);
+      const auto            &solids    = occupancy.mesh_nodes.cut_walls;
+      for (unsigned int cell = 0; cell < occupancy.locator.cells.n_owned();
+           ++cell)
+        if (solids.cuts(cell))
+          for (const SurfacePiece<dim> &piece :
+               surface_pieces<dim>(solids.distance(cell)))
+            {
+              DataOutBase::Patch<dim - 1, dim> patch;
+              patch.patch_index    = walls.patches.size();
+              patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
+              patch.data.reinit(walls.n_rows(), n_corners);
+              Point<dim> centre;
+              for (unsigned int v = 0; v < dim; ++v)
+                centre += Tensor<1, dim>(piece[v]) / dim;
+              const double part = -1. - solids.solid_near(cell, centre);
+              for (unsigned int v = 0; v < n_corners; ++v)
+                {
+                  patch.vertices[v] =
+                    occupancy.locator.cells.geometry(cell).to_real(
+                      piece[std::min<unsigned int>(v, dim - 1)]);
+                  patch.data(0, v) = part;
+                  patch.data(1, v) = 0.;
+                }
+              walls.patches.push_back(patch);
+            }
+    }
   } // namespace
 
   template <int dim>
@@ -75,6 +110,7 @@ namespace seiche
                      i + 1,
                      /*is_wall=*/true);
         }
+    add_solids(walls, view.occupancy);
     series.write_vtu(view.time, walls);
   }
 

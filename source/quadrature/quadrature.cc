@@ -179,8 +179,13 @@ namespace seiche
           for (unsigned int q = 0; q < gauss.size(); ++q)
             add(fluid, gauss.point(q), volume * gauss.weight(q), J, quadrature);
         else
-          for (const Point<dim> &x : fill.surface().rule(cell))
-            add(fluid, x, volume / CutCell<dim>::n_vertices, J, quadrature);
+          {
+            const double whole = volume / fill.inside_share(cell);
+            fill.surface().for_each_point(
+              cell, [&](const Point<dim> &x, const double weight) {
+                add(fluid, x, weight * whole, J, quadrature);
+              });
+          }
       }
 
       /// A point that is no material one, of a volume at t_n: V0 = V_n/J_n.

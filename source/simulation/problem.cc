@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/problem.h>
+#include <seiche/simulation/solids_on_grid.h>
 #include <seiche/utilities/exceptions.h>
 
 #include <fmt/format.h>
@@ -74,7 +75,9 @@ namespace seiche
                 *quadrature,
                 matrix.sparsity(),
                 timer)
-  {}
+  {
+    require_solids_on_grid(occupancy, scene.input);
+  }
 
   template <int dim>
   std::set<PointColumn>

@@ -25,6 +25,8 @@ namespace seiche
       }
     for (const std::string &name : input.instances(ShapeParameters<dim>::kind))
       shapes.emplace_back(ShapeParameters<dim>::subsection_of(name));
+    for (const std::string &name : input.instances(SolidParameters<dim>::kind))
+      solids.emplace_back(name);
     for (const std::string &name : input.instances(TableParameters::kind))
       {
         tables.emplace_back();
@@ -51,6 +53,8 @@ namespace seiche
       material.add_parameters(prm);
     for (auto &shape : shapes)
       shape.add_subsection(prm);
+    for (auto &solid : solids)
+      solid.add_parameters(prm);
     for (auto &body : bodies)
       body.add_parameters(prm);
     seeding.add_parameters(prm);

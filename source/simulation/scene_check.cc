@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string>
 
 // The part of Scene that refuses what does not fit together.
 namespace seiche
@@ -16,6 +17,43 @@ namespace seiche
 
   namespace
   {
+    /// What walls that cut cells need.
+    template <int dim>
+    void
+    check_solids(const Scene<dim> &scene)
+    {
+      std::vector<std::string> names;
+      for (const Wall<dim> &wall : scene.grid.walls)
+        names.push_back(wall.name);
+      for (const auto &solid : scene.solids)
+        {
+          const std::string path = solid.shape.path("Shape");
+          const auto require = [&](const bool good, const std::string &text) {
+            scene.input.require(good, path, text);
+          };
+          require(std::find(names.begin(), names.end(), solid.name) ==
+                    names.end(),
+                  "a side or an obstacle has the name \"" + solid.name +
+                    "\", too; rename the solid.");
+          require(
+            scene.formulation.is_mixed(),
+            "walls of solids need Formulation/Name = "
+            "displacement-pressure: they hold the fluid by its pressure.");
+          require(scene.quadrature.has_surface(),
+                  "walls of solids need Quadrature/Rule = cut cells.");
+          require(!scene.time_scheme.needs_acceleration(),
+                  "walls of solids need Time/Scheme = generalized midpoint.");
+          require(!scene.grid.any_periodic(),
+                  "a domain with periodic sides holds no solids: use Obstacle "
+                  "NAME, or walls in place of the periodic sides.");
+          require(!scene.grid.any_displaced(),
+                  "a side that moves along its normal and solids do not go "
+                  "together: use Obstacle NAME, or Tank motion.");
+        }
+      if (!scene.solids.empty())
+        scene.input.cites("nitsche1971");
+    }
+
     /// What some walls, forces of sound and the error of a step need.
     template <int dim>
     void
@@ -61,19 +99,26 @@ namespace seiche
       of_sections.emplace_back([&]() { table.check(input_file); });
     for (const auto &body : bodies)
       of_sections.emplace_back([&]() { body.check(input_file); });
+    for (const auto &solid : solids)
+      of_sections.emplace_back([&]() { solid.check(input_file); });
     of_sections.emplace_back([&]() {
       std::vector<std::string> used;
       for (const auto &body : bodies)
         for (const std::string &part : body.shape.parts())
+          used.push_back(part);
+      for (const auto &solid : solids)
+        for (const std::string &part : solid.shape.parts())
           used.push_back(part);
       check_named_shapes(input_file, shapes, used);
     });
     for (auto &material : further_materials)
       of_sections.emplace_back([&]() { material.check(input_file); });
     require_all(of_sections);
+    grid.solids = make_solids(solids, input_file, grid.domain(), shapes);
     check_materials(input_file);
     check_choices(input_file);
     check_scheme(*this);
+    check_solids(*this);
     if (bodies.empty())
       throw InputError(input_file.filename +
                        ": no fluid; add a subsection 'Fluid body NAME' with "

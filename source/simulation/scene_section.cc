@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace seiche
@@ -21,6 +22,7 @@ namespace seiche
     constexpr double fluid_samples = 240.; // along the longer side
 
     constexpr const char *obstacle_style = "fill:#9a9a9a;stroke:#444",
+                         *solid_style    = "fill:#9a9a9a;stroke:none",
                          *grid_style     = "stroke:#d4d4d4;stroke-width:0.5",
                          *refined_style  = "fill:none;stroke:#8a5fbf;"
                                            "stroke-dasharray:4 3",
@@ -94,6 +96,7 @@ namespace seiche
       draw()
       {
         draw_fluids();
+        draw_solids();
         draw_grid();
         draw_walls();
         draw_axes(); // its texts are always there
@@ -119,11 +122,8 @@ namespace seiche
       }
 
       double
-      level(const double a, const double b, const Range &group) const
+      level(const Point<dim> &x, const Range &group) const
       {
-        Point<dim> x  = middle;
-        x[across]     = a;
-        x[up]         = b;
         double lowest = std::numeric_limits<double>::max();
         for (unsigned int body = group.first; body < group.second; ++body)
           lowest = std::min(lowest, bodies[body].shape->level(x));
@@ -143,13 +143,36 @@ namespace seiche
             begin = end - 1;
             while (begin > 0 && material(begin - 1) == material(begin))
               --begin;
-            draw_bodies({begin, end});
+            draw_area(
+              [&](const Point<dim> &x) {
+                return level(x, {begin, end});
+              },
+              "fill:" + styles.at(material(begin)).colour + ";stroke:none");
           }
       }
 
       void
-      draw_bodies(const Range &group)
+      draw_solids()
       {
+        if (!grid.solids.empty())
+          draw_area(
+            [&](const Point<dim> &x) {
+              return nearest_solid(grid.solids, x)->shape->distance(x);
+            },
+            solid_style);
+      }
+
+      /// Where a function of the place is negative.
+      void
+      draw_area(const std::function<double(const Point<dim> &)> &function,
+                const std::string                               &style)
+      {
+        const auto at = [&](const double a_x, const double b_x) {
+          Point<dim> x = middle;
+          x[across]    = a_x;
+          x[up]        = b_x;
+          return function(x);
+        };
         const double width   = grid.domain().side_length(across),
                      height  = grid.domain().side_length(up),
                      wanted  = std::max(width, height) / fluid_samples;
@@ -166,13 +189,12 @@ namespace seiche
         const double        inside = 1e-6 * wanted;
         for (unsigned int j = 0; j <= m; ++j)
           for (unsigned int i = 0; i <= n; ++i)
-            values[j * (n + 1) + i] = level(a(i) + (i == 0 ? inside :
-                                                    i == n ? -inside :
-                                                             0.),
-                                            b(j) + (j == 0 ? inside :
-                                                    j == m ? -inside :
-                                                             0.),
-                                            group);
+            values[j * (n + 1) + i] = at(a(i) + (i == 0 ? inside :
+                                                 i == n ? -inside :
+                                                          0.),
+                                         b(j) + (j == 0 ? inside :
+                                                 j == m ? -inside :
+                                                          0.));
         std::vector<std::vector<Place>> parts;
         for (unsigned int j = 0; j < m; ++j)
           for (unsigned int i = 0; i < n; ++i)
@@ -196,8 +218,7 @@ namespace seiche
               if (part.size() > 2)
                 parts.push_back(std::move(part));
             }
-        const auto &fluid = styles.at(bodies[group.first].material);
-        canvas.polygons(parts, "fill:" + fluid.colour + ";stroke:none");
+        canvas.polygons(parts, style);
       }
 
       void

@@ -27,7 +27,7 @@ namespace seiche
                          body.n_points,
                          missing > missing_share * body.whole ?
                            fmt::format("; {:.6g} kg of its shape lie in "
-                                       "obstacles or earlier bodies",
+                                       "obstacles, solids or earlier bodies",
                                        missing) :
                            "");
     }

@@ -158,8 +158,12 @@ namespace seiche
   {
     if (!measures_forces)
       return;
+    state.solid_start_reactions.clear();
     if (is_projected)
-      state.start_reaction = state.reaction;
+      {
+        state.start_reaction        = state.reaction;
+        state.solid_start_reactions = state.solid_reactions;
+      }
     else
       state.start_reaction = 0.;
     add_wall_impulses(problem.row_mass, problem.occupancy, state);

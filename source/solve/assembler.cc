@@ -101,7 +101,9 @@ namespace seiche
   Assembler<dim>::residual(GridState<dim> &state, BlockVector &residual)
   {
     const TimerTree::Scope scope(timer, "residual");
-    sum_residual(state, residual, [](const auto &) { return true; });
+    sum_residual(state, residual, [](const unsigned int, const auto &) {
+      return true;
+    });
     if (const auto *closed = closed_chambers())
       closed->balance_rows(residual.block(1), state.mass);
     if (is_injected(Fault::residual) && residual.block(0).locally_owned_size())
@@ -116,10 +118,13 @@ namespace seiche
     const TimerTree::Scope scope(timer, "residual");
     BlockVector            residual(state.solution);
     residual.zero_out_ghost_values();
-    sum_residual(state, residual, [this](const auto &unknowns) {
-      return unknowns.zeros != nullptr ||
-             occupancy.constraints.any_fixed(unknowns) != 0;
-    });
+    sum_residual(state,
+                 residual,
+                 [this](const unsigned int cell, const auto &unknowns) {
+                   return fill.wall(cell) != nullptr ||
+                          unknowns.zeros != nullptr ||
+                          occupancy.constraints.any_fixed(unknowns) != 0;
+                 });
   }
 
   template <int dim>
@@ -132,12 +137,16 @@ namespace seiche
     residual       = 0.;
     state.reaction = 0.; // components may have been released
     state.reaction.zero_out_ghost_values();
+    state.solid_reactions.clear();
     for_each_cell([&](const unsigned int cell, const auto degree) {
       const auto nodes = occupancy.template unknowns<degree>(cell);
-      if (!is_wanted(nodes))
+      if (!is_wanted(cell, nodes))
         return;
       CellData<dim, degree> &data = this->template gather<degree>(cell, state);
       weak_form->residual(data);
+      state.solid_reactions.insert(state.solid_reactions.end(),
+                                   data.solid_reactions.begin(),
+                                   data.solid_reactions.end());
       nodes.add_to_zeros(data.residual_u, state.reaction.begin());
       nodes.add(data.residual_u, residual.block(0).begin());
       if (formulation.has_pressure())

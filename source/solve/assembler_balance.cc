@@ -65,6 +65,8 @@ namespace seiche
     for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         sums.walls[c] += state.reaction.local_element(dim * node + c);
+    for (const auto &reaction : state.solid_reactions)
+      sums.walls += reaction.force;
     const MPI_Comm communicator =
       occupancy.nodes.partitioner()->get_mpi_communicator();
     sums.inertia     = Utilities::MPI::sum(sums.inertia, communicator);

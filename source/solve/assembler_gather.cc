@@ -21,6 +21,8 @@ namespace seiche
     data.extent_inertia =
       data.fluid.mass(fill.extent_moment(cell)) * data.geometry.measure;
     quadrature.get(cell, data.quadrature);
+    data.wall = fill.wall(cell);
+    data.solid_reactions.clear();
 
     const auto nodes = occupancy.template unknowns<degree>(cell);
     nodes.read(state.displacement().begin(), data.displacement);

@@ -88,20 +88,24 @@ namespace seiche
     const auto         &freedoms = tank.body()->freedoms();
     std::vector<double> loads(freedoms.size(), 0.);
     const auto          R = tank.at(state.time + step.theta * step.dt).rotation;
-    // @p force: of the walls on the fluid at a node
-    const auto subtract = [&](const unsigned int    node,
-                              const Tensor<1, dim> &force) {
-      Tensor<1, dim> arm = occupancy.nodes.position(node) - tank.centre;
-      for (unsigned int c = 0; c < dim; ++c)
-        arm[c] +=
-          step.theta * state.displacement().local_element(dim * node + c);
-      const auto turn = moment(arm, force);
+    // @p force: of the walls on the fluid
+    const auto subtract_at = [&](const Point<dim>     &place,
+                                 const Tensor<1, dim> &force) {
+      const auto turn = moment(place - tank.centre, force);
       for (unsigned int i = 0; i < loads.size(); ++i)
         {
           const TankDirection<dim> &direction = freedoms[i].direction;
           loads[i] -= direction.is_angle() ? turn[direction.number - dim] :
                                              R[direction.number] * force;
         }
+    };
+    const auto subtract = [&](const unsigned int    node,
+                              const Tensor<1, dim> &force) {
+      Point<dim> place = occupancy.nodes.position(node);
+      for (unsigned int c = 0; c < dim; ++c)
+        place[c] +=
+          step.theta * state.displacement().local_element(dim * node + c);
+      subtract_at(place, force);
     };
     for (unsigned int node = 0; node < occupancy.nodes.n_own(); ++node)
       {
@@ -114,6 +118,9 @@ namespace seiche
       }
     for (const auto &drag : state.drags)
       subtract(drag.node, drag.force);
+    state.for_each_solid_reaction([&](const auto &reaction) {
+      subtract_at(reaction.place, reaction.force);
+    });
     Utilities::MPI::sum(loads, state.mass.get_mpi_communicator(), loads);
     return loads;
   }

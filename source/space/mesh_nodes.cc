@@ -61,6 +61,7 @@ namespace seiche
   MeshNodes<dim>::update_places()
   {
     find_positions();
+    cut_walls.reinit(*this);
     find_volumes();
   }
 
@@ -151,24 +152,53 @@ namespace seiche
   MeshNodes<dim>::find_volumes()
   {
     const unsigned int  n_nodes = fe.n_dofs_per_cell();
-    std::vector<double> unit_integral(n_nodes, 0.), integral;
-    for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
-      unit_integral[vertex_node<dim>(fe.degree, v)] = std::pow(0.5, dim);
-    Vector volume(layout);
+    constexpr double    hat     = 1. / GeometryInfo<dim>::vertices_per_cell;
+    std::vector<double> integral(n_nodes), full_integral(n_nodes);
+    Vector              volume(layout), full(layout), cut(layout);
     for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
-        integral = unit_integral;
+        const VertexValues<dim> of_vertices = cut_walls.hat_integrals(cell);
+        std::fill(integral.begin(), integral.end(), 0.);
+        std::fill(full_integral.begin(), full_integral.end(), 0.);
+        for (unsigned int v = 0; v < of_vertices.size(); ++v)
+          {
+            integral[vertex_node<dim>(fe.degree, v)]      = of_vertices[v];
+            full_integral[vertex_node<dim>(fe.degree, v)] = hat;
+          }
         if (const NodeMatrix *matrix = hanging.matrix(cell))
-          matrix->condense(integral.data());
+          {
+            matrix->condense(integral.data());
+            matrix->condense(full_integral.data());
+          }
         for (unsigned int a = 0; a < n_nodes; ++a)
-          volume.local_element(cell_nodes[cell * n_nodes + a]) +=
-            locator.cells.geometry(cell).measure * integral[a];
+          {
+            const unsigned int node = cell_nodes[cell * n_nodes + a];
+            volume.local_element(node) +=
+              locator.cells.geometry(cell).measure * integral[a];
+            full.local_element(node) +=
+              locator.cells.geometry(cell).measure * full_integral[a];
+            cut.local_element(node) += cut_walls.cuts(cell);
+          }
       }
     volume.compress(VectorOperation::add);
     volume.update_ghost_values();
     volumes.resize(size());
     for (unsigned int i = 0; i < volumes.size(); ++i)
       volumes[i] = volume.local_element(i);
+    if (!cut_walls.exist())
+      return;
+    for (Vector *vector : {&cut, &full})
+      {
+        vector->compress(VectorOperation::add);
+        vector->update_ghost_values();
+      }
+    at_cut_walls.resize(size());
+    full_volumes.resize(size());
+    for (unsigned int i = 0; i < size(); ++i)
+      {
+        at_cut_walls[i] = cut.local_element(i) > 0.;
+        full_volumes[i] = full.local_element(i);
+      }
   }
 
   template class MeshNodes<2>;

@@ -57,6 +57,8 @@ def added(text):
 
 
 LAST = SCENE.count("\n")
+SOLID = ("subsection Solid ball\n  set Shape = ball\n  set Centre = 0.8, 0.25\n"
+         "  set Radius = 0.1\nend\n")
 # to go before an "end"
 PERIODIC = "subsection Walls\n  set Left = periodic\n  set Right = periodic\n"
 
@@ -196,6 +198,26 @@ VALUES = [
          expect=['"Bulk modulus" in "Fluid" = unlimited', '"infinite"']),
     Case("negative bulk modulus", "= infinite", "= -5",
          expect=['"Bulk modulus" in "Fluid" = -5']),
+    Case("solid with the irreducible form",
+         **added(SOLID + "subsection Formulation\n  set Name = displacement\nend\n"),
+         line=None, expect=['"Shape" in "Solid ball"', "displacement-pressure"]),
+    Case("solid and points as quadrature",
+         **added(SOLID + "subsection Quadrature\n  set Rule = material points\nend\n"),
+         line=None, expect=['"Shape" in "Solid ball"', "cut cells"]),
+    Case("solid with the name of a side", **added(SOLID.replace("Solid ball", "Solid left")),
+         line=None, expect=['"Shape" in "Solid left"', "rename"]),
+    Case("solid between periodic sides",
+         **added(SOLID + "subsection Walls\n  set Left = periodic\n"
+                 "  set Right = periodic\nend\n"),
+         line=None, expect=['"Shape" in "Solid ball"', "periodic"]),
+    Case("solid smaller than a cell",
+         **added(SOLID.replace("0.8, 0.25", "0.85, 0.25").replace("= 0.1", "= 0.02")),
+         line=None, validate=False, expect=['"Shape" in "Solid ball"', "cuts no cell"]),
+    Case("solid outside of the domain", **added(SOLID.replace("0.8, 0.25", "8, 0.25")),
+         line=None, validate=False, expect=['"Shape" in "Solid ball"', "cuts no cell"]),
+    Case("fluid inside of a solid",
+         **added(SOLID.replace("0.8, 0.25", "0.2, 0.1").replace("= 0.1", "= 0.45")),
+         line=None, expect=['"Shape" in "Fluid body column"', "no material point"]),
     Case("material of a body that there is not",
          arguments=["scene.prm", "--set", "Fluid body column/Material = oil"],
          line=None, expect=['"Material" in "Fluid body column" = oil',

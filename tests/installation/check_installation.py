@@ -158,6 +158,7 @@ def papers(folder):
         found = cited(*settings)
         require(has in found and has_not not in found, f"{settings} cites {sorted(found)}")
     require("baerentzen2005" in cited(scene=SOURCE / "tests/scene/shapes_3d.prm"), "triangles")
+    require("nitsche1971" in cited(scene=SOURCE / "tests/scene/turned_tank_rest_2d.prm"), "solids")
     # every transfer has its paper, and every paper its use
     table = run(PROGRAM, "--print-parameters")
     methods = re.search(r"## Subsection Transfer\n.*?`Method` \|[^|]*\| one of ([^|]*)\|", table,

@@ -131,7 +131,8 @@ def geometry(seiche, folder):
     lattice = numpy.stack(numpy.meshgrid(numpy.arange(n), numpy.arange(n)), axis=-1).reshape(-1, 2)
     lattice = (lattice + 0.5) * d * (5, 0.2)
     frame = {"points": lattice, "radius [m]": numpy.full(n * n, 0.5 * d)}
-    box = Walls(numpy.zeros(2), numpy.array([6.0, 1.0]), numpy.zeros((0, 2, 2)), frozenset())
+    box = Walls(numpy.zeros(2), numpy.array([6.0, 1.0]), numpy.zeros((0, 2, 2)), frozenset(),
+                numpy.zeros((0, 2, 2)))
     water = seiche_water.Water.of_points(frame, box, 2, wide=3.0)
     inside = random.random((500, 2)) * (4.8, 0.15)
     assert (water.sample(inside)[0] < 0).all(), water.sample(inside)[0].max()

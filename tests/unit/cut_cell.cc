@@ -2,7 +2,7 @@
 // The part of a cell where a linear function is negative: volume, centre and
 // second moments are exact, the rule's points lie inside, and both sides of the
 // function add up to the cell.
-#include <seiche/grid/cut_cell.h>
+#include <seiche/space/cut_cell.h>
 
 #include <cmath>
 #include <iostream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Pieces of a level set's zero: their area, that they close around the inside
 // of CutCell, and where normals point.
-#include <seiche/grid/cut_cell.h>
-#include <seiche/grid/surface_pieces.h>
+#include <seiche/space/cut_cell.h>
+#include <seiche/space/surface_pieces.h>
 
 #include <cmath>
 #include <functional>

@@ -139,6 +139,42 @@ namespace
               << n_all << " exact\n";
   }
 
+  /// With walls of a solid in the cell.
+  template <int dim, int degree>
+  void
+  test_walls()
+  {
+    unsigned int n_exact = 0, n_all = 0;
+    for (const double theta : {0., 0.5, 1.})
+      {
+        FormulationParameters parameters;
+        const auto            formulation = make_formulation<dim>(parameters,
+                                                       FreeSurfaceParameters(),
+                                                       {/*bulk_modulus=*/50.},
+                                                       volume_factors());
+        CellData<dim, degree> cell;
+        const Material        water = newtonian(0.7);
+        std::vector<WallPoint<dim>> wall(3);
+        for (unsigned int q = 0; q < wall.size(); ++q)
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              wall[q].unit[d] = 0.2 + 0.25 * q - 0.1 * d;
+              wall[q].area[d] = 0.3 - 0.2 * d + 0.1 * q;
+            }
+        fill_cell(cell, water, theta, /*lumped=*/false);
+        cell.wall = &wall;
+        ++n_all;
+        const double error = step_error(formulation, cell);
+        if (error < 1e-6)
+          ++n_exact;
+        else
+          std::cout << "theta " << theta << ": WRONG, relative error " << error
+                    << '\n';
+      }
+    std::cout << dim << "D Q" << degree << " walls of solids: " << n_exact
+              << " of " << n_all << " exact\n";
+  }
+
   /// Viscous terms are in the tangent unless they are negligible.
   template <int dim, int degree>
   void
@@ -253,6 +289,10 @@ namespace
 int
 main()
 {
+  test_walls<2, 1>();
+  test_walls<3, 1>();
+  test_walls<2, 2>();
+  test_walls<3, 2>();
   test_coriolis<2, 1>();
   test_coriolis<3, 1>();
   test_coriolis<2, 2>();

@@ -38,6 +38,8 @@ namespace seiche
     double extent_inertia = 0.; ///< of the points' own extent [kg], see
                                 ///< formulation/point_inertia_term.h
     CellQuadrature<dim> quadrature;
+    /// Of solids, where there is fluid at it; null: none.
+    const std::vector<WallPoint<dim>> *wall = nullptr;
 
     alignas(64) NodalVector displacement;  ///< u [m]
     alignas(64) NodalVector acceleration;  ///< C_a u + offset, and the
@@ -69,6 +71,7 @@ namespace seiche
     // --- output; pressure rows and columns in the mixed form only
     alignas(64) NodalVector residual_u; ///< [N]
     alignas(64) NodalScalar residual_p; ///< [m^dim]
+    std::vector<SolidReaction<dim>> solid_reactions;
 
     /// Derivative of the acceleration with respect to u, beside that of the
     /// scheme, over C_a: d(acceleration) = C_a (I + this) du [-].

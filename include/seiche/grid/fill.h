@@ -99,7 +99,18 @@ namespace seiche
     bool
     is_full(const unsigned int cell) const
     {
-      return inside_share(cell) == 1.;
+      return inside_share(cell) == 1. && !walls().cuts(cell);
+    }
+
+    /// True if there is no room in the cell but for solids. Own cells.
+    bool
+    has_no_room(const unsigned int cell) const;
+
+    /// The wall of solids in an own cell where there is fluid at it, or null.
+    const std::vector<WallPoint<dim>> *
+    wall(const unsigned int cell) const
+    {
+      return has_surface() ? surface().wall(cell) : nullptr;
     }
 
     /// True if the cell is occupied and the inside does not fill it (material
@@ -178,6 +189,12 @@ namespace seiche
     Occupancy<dim> &occupancy;
 
   private:
+    const CutWalls<dim> &
+    walls() const
+    {
+      return occupancy.mesh_nodes.cut_walls;
+    }
+
     /// Volumes of the points.
     const double *
     volumes(const PointCloud<dim> &points) const

@@ -52,6 +52,16 @@ namespace seiche
       return seen > nothing * all ? seen : 0.;
     }
 
+    /// action(reaction) on those of the step and of what made its start.
+    template <typename Action>
+    void
+    for_each_solid_reaction(const Action &action) const
+    {
+      for (const auto *reactions : {&solid_reactions, &solid_start_reactions})
+        for (const SolidReaction<dim> &reaction : *reactions)
+          action(reaction);
+    }
+
     double time = 0.; ///< [s] t_n, start of the step
     double dt   = 0.; ///< [s] step size
 
@@ -77,6 +87,10 @@ namespace seiche
     Vector start_reaction;   ///< [N] the same of what made v_0 of v_n, its
                              ///< impulse over dt; zero unless forces are
                              ///< measured
+
+    /// Of solids on the fluid, in own cells; of what made v_0 of v_n, the
+    /// impulses over dt, if forces are measured.
+    std::vector<SolidReaction<dim>> solid_reactions, solid_start_reactions;
 
     /// Force of a wall's friction on the fluid at an own node [N].
     struct Drag

@@ -2,7 +2,7 @@
 #ifndef seiche_grid_surface_h
 #define seiche_grid_surface_h
 
-#include <seiche/grid/cut_cell.h>
+#include <seiche/space/cut_cell.h>
 #include <seiche/space/occupancy.h>
 
 #include <vector>
@@ -39,12 +39,22 @@ namespace seiche
       return shares[cell];
     }
 
-    /// Quadrature points in the unit cell of the inside of an own cell that is
-    /// cut, of equal weight inside_share()/2^dim.
-    const Rule &
-    rule(const unsigned int cell) const
+    /// action(point in the unit cell, share of the cell) on the quadrature
+    /// points of the inside of an own cell that it does not fill: of equal
+    /// weight where there is no wall.
+    template <typename Action>
+    void
+    for_each_point(const unsigned int cell, const Action &action) const
     {
-      return rules[rule_of_cell[cell]];
+      for_each_point(cell, /*at_walls=*/true, action);
+    }
+
+    /// The wall of solids at the inside of an own cell, or null.
+    const std::vector<WallPoint<dim>> *
+    wall(const unsigned int cell) const
+    {
+      return walls().cuts(cell) && shares[cell] > 0. ? &wet_part(cell).wall :
+                                                       nullptr;
     }
 
     /// Share of a point at @p unit in an own cell that the inside does not
@@ -71,24 +81,120 @@ namespace seiche
     level_in(const unsigned int cell) const;
 
   private:
-    /// Shares and rules from the level set. Collective.
+    /// The level set from the fill of whole hats, and its corrections.
+    /// Collective.
     void
-    cut_cells();
+    follow(const Vector &fill);
 
-    /// Nodal fill of the inside. Collective.
+    /// Shares and rules from the level set; @p at_walls: of what solids leave
+    /// of cells, not of whole ones. Collective.
     void
-    integrate();
+    cut_cells(const bool at_walls);
+
+    /// Nodal fill of the inside, likewise. Collective.
+    void
+    integrate(const bool at_walls);
+
+    /// Of an own active cell.
+    void
+    cut_cell(const unsigned int cell);
+    void
+    cut_at_wall(const unsigned int cell);
 
     /// Move the level set at the nodes of cut cells by what the fill of its
     /// inside lacks. Collective.
     void
     correct(const Vector &nodal_fill);
 
+    /// Own nodes whose hat is mostly within solids (surface_at_walls.cc).
+    void
+    find_wall_nodes();
+
+    /// The level set at those whose hat is mostly dry, from that of their
+    /// neighbours. Collective.
+    void
+    extend_into_solids();
+
+    /// Nodal fill of whole hats from that of their wet part: the level set
+    /// continues the fluid into solids. Collective.
+    Vector
+    continued_fill(const Vector &wet_fill);
+
+    /// The level set from the fill of whole hats. Collective.
+    void
+    set_level(const Vector &fill);
+
+    /// Integral of a node's hat, solids included [m^dim].
+    double
+    whole_volume(const unsigned int node) const
+    {
+      return walls().exist() ? occupancy.mesh_nodes.full_volume(
+                                 occupancy.nodes.in_mesh()[node]) :
+                               occupancy.nodes.volume(node);
+    }
+
+    /// Share of a node's hat that is wet; 1 where no vertex lies.
+    double
+    wet_share(const unsigned int node) const
+    {
+      const double whole = whole_volume(node);
+      return whole > 0. ? occupancy.nodes.volume(node) / whole : 1.;
+    }
+
+    /// The level set is never zero: that is outside.
+    static double
+    level_at(const double value)
+    {
+      constexpr double on_surface = 1e-12;
+      return value == 0. ? on_surface : value;
+    }
+
+    struct WallNode
+    {
+      unsigned int node;
+      /// Own and ghost cells at it, and which of their vertices it is.
+      std::vector<std::pair<unsigned int, unsigned int>> corners;
+    };
+
+    template <typename Action>
+    void
+    for_each_point(const unsigned int cell,
+                   const bool         at_walls,
+                   const Action      &action) const
+    {
+      if (at_walls && walls().cuts(cell))
+        for (const WeightedPoint<dim> &point : wet_part(cell).points)
+          action(point.unit, point.weight);
+      else
+        for (const dealii::Point<dim> &x : rules[rule_of_cell[cell]])
+          action(x, shares[cell] / CutCell<dim>::n_vertices);
+    }
+
+    const CutWalls<dim> &
+    walls() const
+    {
+      return occupancy.mesh_nodes.cut_walls;
+    }
+
+    /// Of an own cell that the wall of a solid cuts.
+    const WetPart<dim> &
+    wet_part(const unsigned int cell) const
+    {
+      const unsigned int part = rule_of_cell[cell];
+      return part == whole ? walls().whole(cell) : wet_parts[part];
+    }
+
+    /// In rule_of_cell: the fluid fills what the wall leaves of the cell.
+    static constexpr unsigned int whole =
+      dealii::numbers::invalid_unsigned_int - 1;
+
     const Occupancy<dim>     &occupancy;
     Vector                    level, inside_fill, represented;
     std::vector<double>       shares;
-    std::vector<unsigned int> rule_of_cell;
+    std::vector<unsigned int> rule_of_cell; // of rules, or of wet_parts
     std::vector<Rule>         rules;
+    std::vector<WetPart<dim>> wet_parts;
+    std::vector<WallNode>     wall_nodes;
   };
 } // namespace seiche
 

@@ -126,6 +126,14 @@ namespace seiche
       return wall != nullptr && wall->is_closed() ? wall : nullptr;
     }
 
+    /// True if a solid may be in an own or ghost cell, or as near as its
+    /// diagonal is long.
+    bool
+    is_near_solid(const unsigned int cell) const
+    {
+      return !near_solids.empty() && near_solids[cell];
+    }
+
     /// Send one value per own cell to the ranks that see it as ghost:
     /// entries of ghost cells are overwritten. Number: double, char.
     /// Collective.
@@ -143,6 +151,8 @@ namespace seiche
     /// What is smallest around own cells.
     void
     find_reaches();
+    void
+    find_solids();
     /// Of each vertex of the triangulation the number that stands for it and
     /// for those that coincide with it across a seam.
     std::vector<unsigned int>
@@ -158,6 +168,7 @@ namespace seiche
     std::vector<std::size_t>            vertex_neighbor_begin; // own cells
     std::vector<unsigned int>           vertex_neighbor_list;
     std::vector<dealii::Tensor<1, dim>> reaches;
+    std::vector<char>                   near_solids; // empty: there are none
   };
 } // namespace seiche
 

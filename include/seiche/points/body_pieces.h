@@ -13,8 +13,8 @@ namespace seiche
 {
   /**
    * @brief What a fluid body has of the lattice of places for its points: one
-   * piece per place, without what belongs to earlier bodies (doc/theory.md
-   * (5.2)).
+   * piece per place, without what belongs to solids or earlier bodies
+   * (doc/theory.md (5.2)).
    *
    * A light piece is joined to the one across the face towards which its
    * centre lies, so that hardly any point is light. Volumes add up to that of
@@ -31,7 +31,7 @@ namespace seiche
     /// Of a body whose pieces are all light.
     static constexpr const char *message_if_empty =
       "the body holds no material point: it is smaller than the spacing of the "
-      "points, or it lies inside an obstacle or an earlier body.";
+      "points, or it lies inside an obstacle, a solid or an earlier body.";
 
     /// A cell of the finest lattice in an own or ghost cell.
     struct LatticeCell
@@ -125,7 +125,7 @@ namespace seiche
 
     const CellLocator<dim>                    &locator;
     const Shape<dim>                          &shape;
-    std::vector<const Shape<dim> *>            earlier;
+    std::vector<const Shape<dim> *>            earlier; ///< and solids
     const unsigned int                         per_direction;
     std::unordered_map<std::uint64_t, Content> contents;
   };

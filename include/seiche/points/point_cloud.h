@@ -172,6 +172,11 @@ namespace seiche
     /// at its end only. The cell, or invalid.
     unsigned int
     set_on_wall(const std::size_t point);
+
+    /// Put a point that is in a solid on its surface, where it keeps the
+    /// velocity along it; true if it was.
+    bool
+    put_out_of_solids(const std::size_t point);
     /// A point that is in no cell: outflow or lost.
     void
     count_outside(const std::size_t point, Found &found) const;

@@ -2,8 +2,8 @@
 #ifndef seiche_postprocess_moved_surface_h
 #define seiche_postprocess_moved_surface_h
 
-#include <seiche/grid/surface_pieces.h>
 #include <seiche/postprocess/grid_evaluation.h>
+#include <seiche/space/surface_pieces.h>
 
 #include <vector>
 

@@ -10,7 +10,7 @@
 
 namespace seiche
 {
-  /// Names of sides and obstacles, by boundary id.
+  /// Names of sides and obstacles, by boundary id, then of solids.
   template <int dim>
   std::vector<std::string>
   wall_names(const GridParameters<dim> &grid)
@@ -18,6 +18,8 @@ namespace seiche
     std::vector<std::string> names;
     for (const Wall<dim> &wall : grid.walls)
       names.push_back(wall.name);
+    for (const Solid<dim> &solid : grid.solids)
+      names.push_back(solid.name);
     return names;
   }
 

@@ -3,6 +3,7 @@
 #define seiche_scene_grid_parameters_h
 
 #include <seiche/scene/refinement.h>
+#include <seiche/scene/solid.h>
 #include <seiche/scene/wall.h>
 
 #include <deal.II/base/array_view.h>
@@ -35,6 +36,7 @@ namespace seiche
     std::array<std::vector<unsigned int>, dim> cells; // per segment, or empty
     std::vector<Wall<dim>>    walls; ///< by boundary id: sides, obstacles
     RefinementParameters<dim> refinement;
+    std::vector<Solid<dim>>   solids; ///< walls that cut cells (make_solids())
 
     /// Makes room for the obstacles that @p input names.
     GridParameters(const InputFile &input);

@@ -25,6 +25,12 @@ namespace seiche
   composed_shape(const Composition                composition,
                  std::vector<ShapePointer<dim>> &&parts);
 
+  /// What of the box @p domain is not in the shape.
+  template <int dim>
+  ShapePointer<dim>
+  complement_shape(ShapePointer<dim>             &&shape,
+                   const dealii::BoundingBox<dim> &domain);
+
   /// Where a shape is put: scaled from the origin, then turned about a pivot,
   /// then shifted.
   template <int dim>

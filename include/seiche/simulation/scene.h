@@ -79,6 +79,7 @@ namespace seiche
     std::vector<MaterialParameters>       further_materials;
     std::vector<Material>                 materials; ///< of all, by number
     std::vector<ShapeParameters<dim>>     shapes;    ///< parts of others
+    std::vector<SolidParameters<dim>>     solids;
     std::vector<FluidBodyParameters<dim>> bodies;
     SeedingParameters                     seeding;
     PointControlParameters                point_control;

@@ -116,7 +116,7 @@ namespace seiche
 
   private:
     /// residual() but for closed chambers, of the cells with
-    /// is_wanted(unknowns).
+    /// is_wanted(cell, unknowns).
     template <typename IsWanted>
     void
     sum_residual(GridState<dim> &state,

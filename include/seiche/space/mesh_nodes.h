@@ -2,6 +2,8 @@
 #ifndef seiche_space_mesh_nodes_h
 #define seiche_space_mesh_nodes_h
 
+#include <seiche/space/basis.h>
+#include <seiche/space/cut_walls.h>
 #include <seiche/space/linear_cells.h>
 
 #include <deal.II/base/partitioner.h>
@@ -77,12 +79,34 @@ namespace seiche
     }
 
     /// Integral of the node's hat function of FE_Q(1) over the whole domain
-    /// [m^dim].
+    /// [m^dim], outside of solids.
     double
     volume(const unsigned int node) const
     {
       return volumes[node];
     }
+
+    /// The same with the inside of solids; there must be some.
+    double
+    full_volume(const unsigned int node) const
+    {
+      return full_volumes[node];
+    }
+
+    /// True if the wall of a solid cuts a cell at the node.
+    bool
+    is_at_cut_wall(const unsigned int node) const
+    {
+      return cut_walls.exist() && at_cut_walls[node];
+    }
+
+    /// Values [2^dim] at the vertices of an own or ghost cell of a nodal vector
+    /// of this numbering whose shape functions are those of FE_Q(1).
+    template <typename VectorType>
+    void
+    vertex_values(const unsigned int cell,
+                  const VectorType  &vector,
+                  double            *values) const;
 
     /// The walls that fix components of an own node.
     const std::vector<NodeWall> &
@@ -102,6 +126,7 @@ namespace seiche
     const dealii::FE_Q<dim> &fe;
     HangingNodes<dim>        hanging;
     LinearCells<dim>         linear_cells; ///< FE_Q(2) only
+    CutWalls<dim>            cut_walls;
 
   private:
     void
@@ -120,7 +145,25 @@ namespace seiche
     std::vector<double>                                        volumes;
     std::vector<std::vector<NodeWall>>                         walls_of_node;
     std::vector<unsigned int> components_of_walls;
+    std::vector<double>       full_volumes; // with solids
+    std::vector<char>         at_cut_walls; // with solids
   };
+
+  template <int dim>
+  template <typename VectorType>
+  void
+  MeshNodes<dim>::vertex_values(const unsigned int cell,
+                                const VectorType  &vector,
+                                double            *values) const
+  {
+    double at_nodes[HangingNodes<dim>::max_nodes] = {};
+    for (unsigned int a = 0; a < fe.n_dofs_per_cell(); ++a)
+      at_nodes[a] = vector.local_element(of_cell(cell)[a]);
+    if (const NodeMatrix *matrix = hanging.matrix(cell))
+      matrix->expand(at_nodes);
+    for (unsigned int v = 0; v < (1u << dim); ++v)
+      values[v] = at_nodes[vertex_node<dim>(fe.degree, v)];
+  }
 } // namespace seiche
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_surface_pieces_h
-#define seiche_grid_surface_pieces_h
+#ifndef seiche_space_surface_pieces_h
+#define seiche_space_surface_pieces_h
 
-#include <seiche/grid/cell_simplices.h>
+#include <seiche/space/cell_simplices.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -19,6 +19,12 @@ namespace seiche
   template <int dim>
   dealii::Tensor<1, dim>
   area_vector(const SurfacePiece<dim> &piece);
+
+  /// Add where the function of a simplex vanishes; normals as below.
+  template <int dim>
+  void
+  add_pieces(const CellSimplex<dim>         &simplex,
+             std::vector<SurfacePiece<dim>> &pieces);
 
   /**
    * Where a multilinear function vanishes in the unit cell, taken as linear on

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/cut_cell.h>
-#include <seiche/grid/divided_simplex.h>
+#include <seiche/space/cut_cell.h>
+#include <seiche/space/divided_simplex.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,46 +71,6 @@ namespace seiche
         return moments;
       }();
       return result;
-    }
-
-    /// The only vertex inside and the zeros next to it.
-    template <int dim>
-    Simplex<dim>
-    corner_inside(const DividedSimplex<dim> &divided)
-    {
-      Simplex<dim> result;
-      result[0] = divided.vertex(0);
-      for (unsigned int k = 1; k <= dim; ++k)
-        result[k] = divided.zero(0, k);
-      return result;
-    }
-
-    /// A triangle, in 2D an edge.
-    template <int dim>
-    using End = std::array<Point<dim>, dim>;
-
-    /// With more vertices inside that part is a prism between two ends: at the
-    /// vertices inside and opposite to them, in 3D with two of them one at
-    /// each.
-    template <int dim>
-    std::array<End<dim>, 2>
-    prism_inside(const DividedSimplex<dim> &divided)
-    {
-      std::array<End<dim>, 2> ends;
-      if (divided.n_inside == dim)
-        for (unsigned int v = 0; v < dim; ++v)
-          {
-            ends[0][v] = divided.vertex(v);
-            ends[1][v] = divided.zero(v, dim);
-          }
-      else
-        for (unsigned int v = 0; v < 2; ++v)
-          {
-            ends[v][0] = divided.vertex(v);
-            for (unsigned int i = 1; i < dim; ++i)
-              ends[v][i] = divided.zero(v, i + 1);
-          }
-      return ends;
     }
 
     /// The root in closed form; rounding may leave @p square slightly
@@ -184,19 +144,10 @@ namespace seiche
       return;
     if (divided.n_inside == dim + 1)
       part.add(whole);
-    else if (divided.n_inside == 1)
-      part.add(of_simplex<dim>(corner_inside(divided)));
     else
-      {
-        const auto [lower, upper] = prism_inside(divided);
-        for (unsigned int i = 0; i < dim; ++i)
-          {
-            Simplex<dim> piece; // from vertex i of one end to i of the other
-            std::copy(lower.begin() + i, lower.end(), piece.begin());
-            std::copy_n(upper.begin(), i + 1, piece.begin() + dim - i);
-            part.add(of_simplex<dim>(piece));
-          }
-      }
+      divided.for_each_inside([this](const Simplex<dim> &piece) {
+        part.add(of_simplex<dim>(piece));
+      });
   }
 
   template <int dim>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/grid/cell_simplices.h>
+#include <seiche/space/cell_simplices.h>
 #include <seiche/utilities/box_face.h>
 
 namespace seiche

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_cell_simplices_h
-#define seiche_grid_cell_simplices_h
+#ifndef seiche_space_cell_simplices_h
+#define seiche_space_cell_simplices_h
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/point.h>
@@ -15,12 +15,13 @@ namespace seiche
   using VertexValues =
     std::array<double, dealii::GeometryInfo<dim>::vertices_per_cell>;
 
-  /// A part of the unit cell and the values of a function at its vertices.
-  template <int dim>
+  /// A part of the unit cell, or (k < dim) a line or triangle in it, and the
+  /// values of a function at its vertices.
+  template <int dim, int k = dim>
   struct CellSimplex
   {
-    std::array<dealii::Point<dim>, dim + 1> vertices;
-    std::array<double, dim + 1>             values;
+    std::array<dealii::Point<dim>, k + 1> vertices;
+    std::array<double, k + 1>             values;
   };
 
   template <int dim>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_grid_cut_cell_h
-#define seiche_grid_cut_cell_h
+#ifndef seiche_space_cut_cell_h
+#define seiche_space_cut_cell_h
 
-#include <seiche/grid/cell_simplices.h>
+#include <seiche/space/cell_simplices.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 

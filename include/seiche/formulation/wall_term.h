@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_formulation_wall_term_h
+#define seiche_formulation_wall_term_h
+
+#include <seiche/formulation/term.h>
+
+namespace seiche
+{
+  /**
+   * @brief Slip along walls that cut cells, weakly (Nitsche 1971; doc/theory.md
+   * (8.10)):
+   *
+   *     R_u += int (p n_t + gamma rho C_a h (n.u) n).w dA,
+   *     R_p -= int q n_t.u dA,
+   *
+   * n_t = cof(F_t) n the normal of the wall as the fluid at it is deformed: the
+   * pressure is that of PressureTerm, so that a constant one does no work in a
+   * closed tank. Pressures of (4.2) and these are adjoint.
+   */
+  struct WallTerm : Term
+  {
+    double gamma; ///< [-]
+
+    explicit WallTerm(const double gamma = 1.)
+      : gamma(gamma)
+    {}
+
+    template <int dim, int degree>
+    void
+    add_cell_residual(CellData<dim, degree> &cell) const;
+
+    template <int dim, int degree>
+    void
+    add_cell_tangent(CellData<dim, degree> &cell) const;
+  };
+} // namespace seiche
+
+#endif

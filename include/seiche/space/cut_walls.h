@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_space_cut_walls_h
+#define seiche_space_cut_walls_h
+
+#include <seiche/mesh/cell_locator.h>
+#include <seiche/space/wet_part.h>
+
+#include <cmath>
+#include <vector>
+
+namespace seiche
+{
+  template <int dim>
+  class MeshNodes;
+
+  /// A level set in cells without its last digits: parts of cells are the same
+  /// on any number of ranks.
+  template <int dim>
+  VertexValues<dim>
+  rounded(VertexValues<dim> level)
+  {
+    for (double &value : level)
+      value = std::round(value * 1e10) * 1e-10;
+    return level;
+  }
+
+  /**
+   * @brief Where solids (GridParameters::solids) cut the cells of the mesh: the
+   * distance from the nearest of them is interpolated by FE_Q(1), so that the
+   * walls of neighbours, also of different size, fit together.
+   */
+  template <int dim>
+  class CutWalls
+  {
+  public:
+    /// After each change of the mesh or its places. Collective.
+    void
+    reinit(const MeshNodes<dim> &mesh);
+
+    /// True if there are solids.
+    bool
+    exist() const
+    {
+      return !shares.empty();
+    }
+
+    /// Share of an own or ghost cell that is outside of the solids.
+    double
+    wet_share(const unsigned int cell) const
+    {
+      return exist() ? shares[cell] : 1.;
+    }
+
+    /// True if a wall passes through an own or ghost cell, or along its face
+    /// on the side of the fluid.
+    bool
+    cuts(const unsigned int cell) const
+    {
+      return exist() && part_of_cell[cell] != none;
+    }
+
+    /// Distance at the vertices of a cut cell [m], positive in the fluid.
+    const VertexValues<dim> &
+    distance(const unsigned int cell) const
+    {
+      return parts[part_of_cell[cell]].distance;
+    }
+
+    /// A cut cell outside of the solids, full of fluid.
+    const WetPart<dim> &
+    whole(const unsigned int cell) const
+    {
+      return parts[part_of_cell[cell]].whole;
+    }
+
+    /// The solid nearest to a place in the unit cell (WallPoint::solid).
+    unsigned int
+    solid_near(const unsigned int cell, const dealii::Point<dim> &unit) const;
+
+    /// Integrals over the wet part of a cell of the hat functions of its
+    /// vertices, over its measure.
+    VertexValues<dim>
+    hat_integrals(const unsigned int cell) const;
+
+    /// The same over what of its solids lies where @p level, at its vertices,
+    /// is negative.
+    VertexValues<dim>
+    hats_in_solids(const unsigned int       cell,
+                   const VertexValues<dim> &level) const;
+
+  private:
+    static constexpr unsigned int none = dealii::numbers::invalid_unsigned_int;
+
+    struct Part
+    {
+      VertexValues<dim> distance;
+      WetPart<dim>      whole;
+    };
+
+    const CellLocator<dim>   *locator = nullptr;
+    std::vector<double>       shares;
+    std::vector<unsigned int> part_of_cell;
+    std::vector<Part>         parts;
+  };
+} // namespace seiche
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/space/basis.h>
+#include <seiche/space/mesh_nodes.h>
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Distances below it [cells] are zero: no cell has a thinner part.
+    constexpr double on_wall = 1e-6;
+
+    /// Shares of a cell below it are nothing but round-off.
+    constexpr double negligible = 1e-12;
+
+    /// Smallest edges of the cells at each node [m]; own nodes are right.
+    template <int dim>
+    std::vector<double>
+    sizes_at_nodes(const MeshNodes<dim> &mesh)
+    {
+      std::vector<double> result(mesh.size(),
+                                 std::numeric_limits<double>::max());
+      for (unsigned int cell = 0; cell < mesh.locator.cells.size(); ++cell)
+        for (unsigned int a = 0; a < mesh.fe.n_dofs_per_cell(); ++a)
+          {
+            double &size = result[mesh.of_cell(cell)[a]];
+            size =
+              std::min(size, mesh.locator.cells.geometry(cell).shortest_edge());
+          }
+      return result;
+    }
+  } // namespace
+
+  template <int dim>
+  unsigned int
+  CutWalls<dim>::solid_near(const unsigned int cell,
+                            const Point<dim>  &unit) const
+  {
+    const auto &solids = locator->grid.parameters.solids;
+    return nearest_solid(solids, locator->cells.geometry(cell).to_real(unit)) -
+           solids.data();
+  }
+
+  template <int dim>
+  void
+  CutWalls<dim>::reinit(const MeshNodes<dim> &mesh)
+  {
+    locator            = &mesh.locator;
+    const auto &cells  = locator->cells;
+    const auto &solids = locator->grid.parameters.solids;
+    if (solids.empty())
+      return;
+    const std::vector<double> sizes = sizes_at_nodes(mesh);
+
+    LinearAlgebra::distributed::Vector<double> nodal(mesh.partitioner());
+    for (unsigned int i = 0; i < nodal.locally_owned_size(); ++i)
+      {
+        const Point<dim> &x    = mesh.position(i);
+        const double      d    = nearest_solid(solids, x)->shape->distance(x);
+        nodal.local_element(i) = std::abs(d) < on_wall * sizes[i] ? 0. : d;
+      }
+    nodal.update_ghost_values();
+
+    shares.assign(cells.size(), 0.);
+    part_of_cell.assign(cells.size(), none);
+    parts.clear();
+    VertexValues<dim> inside;
+    inside.fill(-1.);
+    for (unsigned int cell = 0; cell < cells.size(); ++cell)
+      {
+        Part part;
+        mesh.vertex_values(cell, nodal, part.distance.data());
+        const auto [lowest, highest] =
+          std::minmax_element(part.distance.begin(), part.distance.end());
+        if (*highest <= 0.)
+          continue;
+        if (*lowest > 0.)
+          {
+            shares[cell] = 1.;
+            continue;
+          }
+        part.whole = WetPart<dim>(inside, part.distance, cells.geometry(cell));
+        if (part.whole.volume < negligible)
+          continue;
+        shares[cell] = std::min(1., part.whole.volume);
+        if (part.whole.wall.empty())
+          continue;
+        for (WallPoint<dim> &point : part.whole.wall)
+          point.solid = solid_near(cell, point.unit);
+        part_of_cell[cell] = parts.size();
+        parts.push_back(std::move(part));
+      }
+  }
+
+  template <int dim>
+  VertexValues<dim>
+  CutWalls<dim>::hat_integrals(const unsigned int cell) const
+  {
+    VertexValues<dim> result;
+    result.fill(cuts(cell) ? 0. : wet_share(cell) / result.size());
+    if (cuts(cell))
+      for (const WeightedPoint<dim> &point : whole(cell).points)
+        for (unsigned int v = 0; v < result.size(); ++v)
+          result[v] +=
+            point.weight *
+            GeometryInfo<dim>::d_linear_shape_function(point.unit, v);
+    return result;
+  }
+
+  template <int dim>
+  VertexValues<dim>
+  CutWalls<dim>::hats_in_solids(const unsigned int       cell,
+                                const VertexValues<dim> &level) const
+  {
+    const auto        is_inside = [](const double value) { return value < 0.; };
+    VertexValues<dim> result{};
+    if (std::none_of(level.begin(), level.end(), is_inside))
+      return result;
+    if (std::all_of(level.begin(), level.end(), is_inside))
+      {
+        const VertexValues<dim> wet = hat_integrals(cell);
+        for (unsigned int v = 0; v < result.size(); ++v)
+          result[v] = 1. / result.size() - wet[v];
+        return result;
+      }
+    VertexValues<dim> behind;
+    behind.fill(1.);
+    if (cuts(cell))
+      for (unsigned int v = 0; v < behind.size(); ++v)
+        behind[v] = -distance(cell)[v];
+    return seiche::hat_integrals<dim>(level, behind);
+  }
+
+  template class CutWalls<2>;
+  template class CutWalls<3>;
+} // namespace seiche

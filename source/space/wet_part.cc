@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/space/compressed_rule.h>
+#include <seiche/space/divided_simplex.h>
+#include <seiche/space/surface_pieces.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// A function that is linear on a simplex, wherever it is asked for.
+    template <int dim>
+    class LinearFunction
+    {
+    public:
+      explicit LinearFunction(const CellSimplex<dim> &simplex)
+        : origin(simplex.vertices[0])
+        , value(simplex.values[0])
+      {
+        Tensor<2, dim> edges;
+        Tensor<1, dim> differences;
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            edges[i]       = simplex.vertices[i + 1] - origin;
+            differences[i] = simplex.values[i + 1] - value;
+          }
+        gradient = invert(edges) * differences;
+      }
+
+      /// A simplex with the values there.
+      template <int k>
+      CellSimplex<dim, k>
+      on(const std::array<Point<dim>, k + 1> &vertices) const
+      {
+        CellSimplex<dim, k> result;
+        result.vertices = vertices;
+        for (unsigned int v = 0; v <= k; ++v)
+          result.values[v] = value + gradient * (vertices[v] - origin);
+        return result;
+      }
+
+    private:
+      const Point<dim> origin;
+      const double     value;
+      Tensor<1, dim>   gradient;
+    };
+
+    /// Rules of degree dim with positive weights: the middles of a triangle's
+    /// edges; the vertices of a tetrahedron and the centres of its faces.
+    void
+    add_points(const std::array<Point<2>, 3> &x,
+               std::vector<WeightedPoint<2>> &points)
+    {
+      const double area =
+        0.5 * std::abs((x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) -
+                       (x[2][0] - x[0][0]) * (x[1][1] - x[0][1]));
+      if (area > 0.)
+        for (unsigned int v = 0; v < 3; ++v)
+          points.push_back({x[v] + 0.5 * (x[(v + 1) % 3] - x[v]), area / 3.});
+    }
+
+    void
+    add_points(const std::array<Point<3>, 4> &x,
+               std::vector<WeightedPoint<3>> &points)
+    {
+      const double volume =
+        std::abs(cross_product_3d(x[1] - x[0], x[2] - x[0]) * (x[3] - x[0])) /
+        6.;
+      if (volume > 0.)
+        for (unsigned int v = 0; v < 4; ++v)
+          {
+            points.push_back({x[v], volume / 40.});
+            Point<3> opposite;
+            for (unsigned int w = 0; w < 4; ++w)
+              if (w != v)
+                opposite += Tensor<1, 3>(x[w]) / 3.;
+            points.push_back({opposite, 9. * volume / 40.});
+          }
+    }
+
+    template <int dim>
+    void
+    add_wall_points(const SurfacePiece<dim>     &piece,
+                    const CellGeometry<dim>     &geometry,
+                    std::vector<WallPoint<dim>> &points)
+    {
+      SurfacePiece<dim> real;
+      for (unsigned int v = 0; v < dim; ++v)
+        real[v] = geometry.to_real(piece[v]);
+      const Tensor<1, dim> area = area_vector<dim>(real);
+      // degree 3 on a line, 5 on a triangle
+      static const QGaussSimplex<dim - 1> rule(dim);
+      const double whole = dim == 2 ? 1. : 0.5; // of the unit simplex
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          Point<dim> x = piece[0];
+          for (unsigned int d = 0; d + 1 < dim; ++d)
+            x += rule.point(q)[d] * (piece[d + 1] - piece[0]);
+          points.push_back({x, rule.weight(q) / whole * area});
+        }
+    }
+
+    template <int dim>
+    using Simplices = std::array<CellSimplex<dim>, n_cell_simplices<dim>>;
+
+    template <int dim>
+    Simplices<dim>
+    simplices_dry_positive(VertexValues<dim> wall)
+    {
+      for (double &value : wall)
+        value = -value;
+      return cell_simplices<dim>(wall);
+    }
+
+    /// action(vertices) on simplices of what both functions leave of one of the
+    /// cell's.
+    template <int dim, typename Action>
+    void
+    for_each_part(const CellSimplex<dim>    &of_wall,
+                  const LinearFunction<dim> &level,
+                  const Action              &action)
+    {
+      using Vertices = typename DividedSimplex<dim>::Vertices;
+      DividedSimplex<dim>(of_wall).for_each_inside([&](const Vertices &wet) {
+        const auto simplex = level.template on<dim>(wet);
+        DividedSimplex<dim>(simplex).for_each_inside(action);
+      });
+    }
+  } // namespace
+
+  template <int dim>
+  WetPart<dim>::WetPart(const VertexValues<dim> &surface,
+                        const VertexValues<dim> &wall_distance,
+                        const CellGeometry<dim> &geometry)
+  {
+    const auto of_surface = cell_simplices<dim>(surface),
+               of_wall    = simplices_dry_positive<dim>(wall_distance);
+
+    std::vector<WeightedPoint<dim>> all;
+    for (unsigned int s = 0; s < of_wall.size(); ++s)
+      {
+        const LinearFunction<dim> level(of_surface[s]);
+        for_each_part(of_wall[s], level, [&](const auto &part) {
+          add_points(part, all);
+        });
+        std::vector<SurfacePiece<dim>> pieces;
+        add_pieces<dim>(of_wall[s], pieces);
+        for (const SurfacePiece<dim> &piece : pieces)
+          {
+            const auto with_level = level.template on<dim - 1>(piece);
+            DividedSimplex<dim, dim - 1>(with_level)
+              .for_each_inside([&](const SurfacePiece<dim> &part) {
+                // a part may be turned
+                SurfacePiece<dim> outwards = part;
+                if (area_vector<dim>(part) * area_vector<dim>(piece) < 0.)
+                  std::swap(outwards[0], outwards[1]);
+                add_wall_points<dim>(outwards, geometry, wall);
+              });
+          }
+      }
+    for (const WeightedPoint<dim> &point : all)
+      volume += point.weight;
+    if (!all.empty())
+      points = compressed_rule<dim>(all, dim);
+  }
+
+  template <int dim>
+  VertexValues<dim>
+  hat_integrals(const VertexValues<dim> &surface, const VertexValues<dim> &wall)
+  {
+    const auto of_surface = cell_simplices<dim>(surface),
+               of_wall    = simplices_dry_positive<dim>(wall);
+    std::vector<WeightedPoint<dim>> points;
+    for (unsigned int s = 0; s < of_wall.size(); ++s)
+      for_each_part(of_wall[s],
+                    LinearFunction<dim>(of_surface[s]),
+                    [&](const auto &part) { add_points(part, points); });
+    VertexValues<dim> result{};
+    for (const WeightedPoint<dim> &point : points)
+      for (unsigned int v = 0; v < result.size(); ++v)
+        result[v] += point.weight *
+                     GeometryInfo<dim>::d_linear_shape_function(point.unit, v);
+    return result;
+  }
+
+  template struct WetPart<2>;
+  template struct WetPart<3>;
+  template VertexValues<2>
+  hat_integrals<2>(const VertexValues<2> &, const VertexValues<2> &);
+  template VertexValues<3>
+  hat_integrals<3>(const VertexValues<3> &, const VertexValues<3> &);
+} // namespace seiche
