@@ -66,14 +66,7 @@ namespace seiche
   Surface<dim>::update(const Vector &nodal_fill)
   {
     level.reinit(occupancy.nodes.partitioner());
-    if (!walls().exist())
-      follow(nodal_fill);
-    else
-      {
-        follow(continued_fill(nodal_fill));
-        cut_cells(/*at_walls=*/true);
-        integrate(/*at_walls=*/true);
-      }
+    follow(walls().exist() ? continued_fill(nodal_fill) : nodal_fill);
     represented.reinit(level);
     for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       if (const double fill = nodal_fill.local_element(i); fill > 0.)
@@ -104,8 +97,9 @@ namespace seiche
       {
         correct(fill);
         extend_into_solids();
-        cut_cells(/*at_walls=*/false);
-        integrate(/*at_walls=*/false);
+        const bool is_last = i + 1 == n_corrections;
+        cut_cells(/*at_walls=*/is_last);
+        integrate(/*at_walls=*/is_last);
       }
   }
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-// The part of PointCloud that deals with points in no cell: set on a wall,
-// outflow, or lost.
+// The part of PointCloud that deals with points where no fluid can be: set on a
+// wall, put out of a solid, outflow, or lost.
 namespace seiche
 {
   template <int dim>

@@ -109,9 +109,10 @@ namespace seiche
     template <int dim>
     using Simplices = std::array<CellSimplex<dim>, n_cell_simplices<dim>>;
 
+    /// With the distance turned, negative in the fluid as the level set is.
     template <int dim>
     Simplices<dim>
-    simplices_dry_positive(VertexValues<dim> wall)
+    simplices_of_wall(VertexValues<dim> wall)
     {
       for (double &value : wall)
         value = -value;
@@ -140,7 +141,7 @@ namespace seiche
                         const CellGeometry<dim> &geometry)
   {
     const auto of_surface = cell_simplices<dim>(surface),
-               of_wall    = simplices_dry_positive<dim>(wall_distance);
+               of_wall    = simplices_of_wall<dim>(wall_distance);
 
     std::vector<WeightedPoint<dim>> all;
     for (unsigned int s = 0; s < of_wall.size(); ++s)
@@ -175,7 +176,7 @@ namespace seiche
   hat_integrals(const VertexValues<dim> &surface, const VertexValues<dim> &wall)
   {
     const auto of_surface = cell_simplices<dim>(surface),
-               of_wall    = simplices_dry_positive<dim>(wall);
+               of_wall    = simplices_of_wall<dim>(wall);
     std::vector<WeightedPoint<dim>> points;
     for (unsigned int s = 0; s < of_wall.size(); ++s)
       for_each_part(of_wall[s],
