@@ -12,6 +12,7 @@
 #include <seiche/formulation/term_list.h>
 #include <seiche/formulation/viscous_term.h>
 #include <seiche/formulation/volume_constraint_term.h>
+#include <seiche/formulation/wall_drag_term.h>
 #include <seiche/formulation/wall_term.h>
 
 namespace seiche
@@ -56,6 +57,7 @@ namespace seiche
     const PressureSubscaleTerm  pressure_subscale(volume_law.bulk_modulus);
     const PointInertiaTerm      point_inertia(free_surface.point_inertia);
     const WallTerm              walls;
+    const WallDragTerm          wall_drag;
     const GhostAccelerationTerm ghost_acceleration(free_surface);
     const GhostPressureTerm     ghost_pressure(free_surface);
 
@@ -68,6 +70,7 @@ namespace seiche
                                       pressure_subscale,
                                       point_inertia,
                                       walls,
+                                      wall_drag,
                                       ghost_acceleration,
                                       ghost_pressure,
                                       GhostVelocityTerm(free_surface));
@@ -94,6 +97,7 @@ namespace seiche
                           pressure_subscale,
                           point_inertia,
                           walls,
+                          wall_drag,
                           ghost_acceleration,
                           ghost_pressure);
 

@@ -45,9 +45,50 @@ namespace seiche
     const double share = std::min(1., rate * cells);
     if (share == 0.)
       return;
+    find_laplacians_at_walls();
     choose_nodes();
     find_potential(share);
     move(domain, points);
+  }
+
+  template <int dim>
+  void
+  DensityProjection<dim>::find_laplacians_at_walls()
+  {
+    at_walls.clear();
+    const CutWalls<dim> &walls = occupancy.mesh_nodes.cut_walls;
+    if (!walls.exist())
+      return;
+    PointBatch<dim, 1, double> here;
+    for (const unsigned int cell : occupancy.cells.occupied())
+      if (walls.cuts(cell))
+        {
+          const auto &geometry = occupancy.locator.cells.geometry(cell);
+          auto       &K        = at_walls[cell].K;
+          for (unsigned int a = 0; a < Laplacian::n_nodes; ++a)
+            std::fill_n(K[a], Laplacian::n_nodes, 0.);
+          for (const WeightedPoint<dim> &point : walls.whole(cell).points)
+            {
+              here.reinit(geometry, point.unit);
+              for (unsigned int a = 0; a < Laplacian::n_nodes; ++a)
+                for (unsigned int b = 0; b < Laplacian::n_nodes; ++b)
+                  for (unsigned int d = 0; d < dim; ++d)
+                    K[a][b] += point.weight * geometry.measure *
+                               here.gradient_n[d][a] * here.gradient_n[d][b];
+            }
+        }
+  }
+
+  template <int dim>
+  const typename DensityProjection<dim>::Laplacian &
+  DensityProjection<dim>::laplacian(const unsigned int cell,
+                                    Laplacian         &of_box) const
+  {
+    const auto at_wall = at_walls.find(cell);
+    if (at_wall != at_walls.end())
+      return at_wall->second;
+    of_box.reinit(occupancy.locator.cells.geometry(cell));
+    return of_box;
   }
 
   template <int dim>
@@ -56,15 +97,14 @@ namespace seiche
   {
     const Vector &f = fill.nodal_fill(), &inside = fill.surface().nodal_fill();
     inverse_diagonal.reinit(occupancy.nodes.partitioner());
-    CellLaplacian<dim, 1> laplacian;
+    Laplacian of_box;
     for (const unsigned int cell : occupancy.cells.occupied())
       {
-        laplacian.reinit(occupancy.locator.cells.geometry(cell));
+        const auto         &K     = laplacian(cell, of_box).K;
         const unsigned int *nodes = occupancy.nodes.of_cell(cell);
-        for (unsigned int v = 0; v < laplacian.n_nodes; ++v)
+        for (unsigned int v = 0; v < Laplacian::n_nodes; ++v)
           inverse_diagonal.local_element(
-            nodes[vertex_node<dim>(occupancy.fe.degree, v)]) +=
-            laplacian.K[v][v];
+            nodes[vertex_node<dim>(occupancy.fe.degree, v)]) += K[v][v];
       }
     inverse_diagonal.compress(VectorOperation::add);
     is_free.reinit(inverse_diagonal);
@@ -104,17 +144,17 @@ namespace seiche
     src.update_ghost_values();
     dst = 0.;
     dst.zero_out_ghost_values();
-    CellLaplacian<dim, 1> laplacian;
-    double x[CellLaplacian<dim, 1>::n_nodes], y[CellLaplacian<dim, 1>::n_nodes];
+    Laplacian of_box;
+    double    x[Laplacian::n_nodes], y[Laplacian::n_nodes];
     for (const unsigned int cell : free_cells)
       {
-        laplacian.reinit(occupancy.locator.cells.geometry(cell));
+        const auto &K = laplacian(cell, of_box).K;
         occupancy.vertex_values(cell, src, x);
-        for (unsigned int a = 0; a < laplacian.n_nodes; ++a)
+        for (unsigned int a = 0; a < Laplacian::n_nodes; ++a)
           {
             y[a] = 0.;
-            for (unsigned int b = 0; b < laplacian.n_nodes; ++b)
-              y[a] += laplacian.K[a][b] * x[b];
+            for (unsigned int b = 0; b < Laplacian::n_nodes; ++b)
+              y[a] += K[a][b] * x[b];
           }
         occupancy.add_vertex_values(cell, y, dst);
       }

@@ -181,8 +181,7 @@ namespace seiche
                       occupancy.locator.cells.geometry(cell));
     if (part.volume <= negligible)
       return;
-    for (WallPoint<dim> &point : part.wall)
-      point.solid = walls().solid_near(cell, point.unit);
+    walls().name_solids(cell, part.wall);
     shares[cell]       = part.volume;
     rule_of_cell[cell] = wet_parts.size();
     wet_parts.push_back(std::move(part));

@@ -15,9 +15,10 @@ namespace seiche
 
   namespace
   {
-    /// Level sets end there; what is fitted may be beyond.
+    /// Level sets end there; what is fitted may be beyond. Near the end they
+    /// say nothing: fills of disordered points are off by 2 %.
     constexpr double end       = 1.;
-    constexpr double near_end  = 0.9;
+    constexpr double near_end  = 0.8;
     constexpr double round_off = 1e-9;
 
     /// Rounds in which nodes beside known ones become known, the wettest first.
@@ -92,36 +93,37 @@ namespace seiche
     double
     level_from(std::vector<Neighbor<dim>> neighbors)
     {
-      constexpr unsigned int most_rounds = 10;
-      constexpr double       least_slope = 0.1; // less: there is none
+      constexpr unsigned int most_rounds  = 10;
+      constexpr double       least_slope  = 0.1; // less: there is none
+      constexpr double       likely_slope = 0.5; // less: hardly a distance
       std::vector<char>      counts(neighbors.size());
-      std::vector<char>      at_end(neighbors.size());
       for (unsigned int i = 0; i < neighbors.size(); ++i)
-        {
-          double &level = neighbors[i].level;
-          at_end[i]     = std::abs(level) >= near_end;
-          counts[i]     = !at_end[i];
-          level         = std::clamp(level, -near_end, near_end);
-        }
+        counts[i] = std::abs(neighbors[i].level) < near_end;
+      const Plane<dim> all =
+        fit(neighbors, std::vector<char>(neighbors.size(), 1));
       if (std::count(counts.begin(), counts.end(), 1) == 0)
-        return fit(neighbors, std::vector<char>(neighbors.size(), 1))
-          .value(Tensor<1, dim>());
-      Plane<dim> result = fit(neighbors, counts);
+        return all.value(Tensor<1, dim>());
+      const std::vector<char> is_known = counts;
+      Plane<dim>              result;
       for (unsigned int round = 0; round < most_rounds; ++round)
         {
-          const Plane<dim>        plane  = fit(neighbors, counts);
+          result = fit(neighbors, counts);
+          if (result.slope.norm() < likely_slope)
+            result.slope = all.slope;
+          if (const double slope = result.slope.norm(); slope > least_slope)
+            result.slope /= slope;
           const std::vector<char> before = counts;
           for (unsigned int i = 0; i < neighbors.size(); ++i)
-            if (at_end[i])
-              counts[i] = (neighbors[i].level - plane.value(neighbors[i].way)) *
-                            neighbors[i].level >
-                          round_off;
+            if (!is_known[i])
+              {
+                const double level = neighbors[i].level;
+                const double least = std::copysign(near_end, level);
+                counts[i] =
+                  (least - result.value(neighbors[i].way)) * level > round_off;
+              }
           if (counts == before)
             break;
         }
-      result.slope = fit(neighbors, counts).slope;
-      if (const double slope = result.slope.norm(); slope > least_slope)
-        result.slope /= slope;
       return result.value(Tensor<1, dim>());
     }
   } // namespace

@@ -93,9 +93,36 @@ namespace seiche
   }
 
   template <int dim>
+  template <typename WayOf>
+  void
+  WallConditions<dim>::set_solids(GridState<dim> &state,
+                                  const WayOf    &way_of) const
+  {
+    state.solids.clear();
+    for (const Solid<dim> &solid : occupancy.locator.solids)
+      state.solids.push_back(
+        {way_of(solid), solid.friction, solid.slip_length});
+  }
+
+  template <int dim>
+  void
+  WallConditions<dim>::set_ways_of_solids(GridState<dim> &state,
+                                          const double    theta) const
+  {
+    set_solids(state, [&](const Solid<dim> &solid) {
+      return solid.way(state.dt, theta);
+    });
+  }
+
+  template <int dim>
   void
   WallConditions<dim>::set_start_velocity(GridState<dim> &state) const
   {
+    set_solids(state, [&](const Solid<dim> &solid) {
+      RigidWay<dim> way = solid.velocity();
+      way *= state.dt;
+      return way;
+    });
     state.velocity_start = state.velocity_n;
     occupancy.constraints.for_each_fixed([&](const auto &direction) {
       direction.set(state.velocity_start,
@@ -111,6 +138,7 @@ namespace seiche
     const StepCoefficients                &coefficients,
     const typename GridState<dim>::Vector &rate_offset) const
   {
+    set_ways_of_solids(state, coefficients.theta);
     if (!moving)
       return;
     occupancy.constraints.for_each_fixed([&](const auto &direction) {

@@ -10,12 +10,13 @@ namespace seiche
   template <int dim>
   CellLocator<dim>::CellLocator(const BackgroundGrid<dim> &background_grid)
     : grid(background_grid)
+    , solids(background_grid.parameters.solids)
     , lines(background_grid)
     , periods(lines)
     , lattice(lines, periods)
     , cells(background_grid)
   {
-    cells.reinit(lattice);
+    reinit();
   }
 
 
@@ -25,6 +26,7 @@ namespace seiche
   CellLocator<dim>::reinit()
   {
     cells.reinit(lattice);
+    cells.find_solids(solids);
   }
 
 
@@ -35,6 +37,17 @@ namespace seiche
   {
     lines.move(motion, time);
     cells.move(lattice);
+  }
+
+
+
+  template <int dim>
+  void
+  CellLocator<dim>::move_solids(const double time)
+  {
+    for (Solid<dim> &solid : solids)
+      solid = solid.at(time);
+    cells.find_solids(solids);
   }
 
 

@@ -50,16 +50,14 @@ namespace seiche
     for (unsigned int cell = 0; cell < size(); ++cell)
       geometries[cell] = lattice.geometry(cell);
     find_reaches();
-    find_solids();
   }
 
 
 
   template <int dim>
   void
-  Cells<dim>::find_solids()
+  Cells<dim>::find_solids(const std::vector<Solid<dim>> &solids)
   {
-    const auto &solids = grid.parameters.solids;
     if (solids.empty())
       return;
     near_solids.resize(size());

@@ -142,7 +142,7 @@ namespace seiche
     , shape(*shapes[body])
     , per_direction(points_per_direction)
   {
-    for (const Solid<dim> &solid : cells.grid.parameters.solids)
+    for (const Solid<dim> &solid : cells.solids)
       if (!apart(solid.shape->bounding_box(), shape.bounding_box()))
         earlier.push_back(solid.shape.get());
     for (unsigned int b = 0; b < body; ++b)

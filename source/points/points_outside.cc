@@ -47,33 +47,75 @@ namespace seiche
 
 
 
+  namespace
+  {
+    /// Distance from solids as the grid has it: that of a cell's vertices,
+    /// interpolated.
+    template <int dim>
+    struct GridDistance
+    {
+      double                 value = 0.; ///< [m]
+      dealii::Tensor<1, dim> gradient;
+
+      GridDistance(const std::vector<Solid<dim>> &solids,
+                   const CellGeometry<dim>       &cell,
+                   const dealii::Point<dim>      &place)
+      {
+        using Shape                   = dealii::GeometryInfo<dim>;
+        const dealii::Point<dim> unit = cell.to_unit(place);
+        for (const unsigned int v : Shape::vertex_indices())
+          {
+            const dealii::Point<dim> x =
+              cell.to_real(Shape::unit_cell_vertex(v));
+            const double distance =
+              nearest_solid(solids, x)->shape->distance(x);
+            value += distance * Shape::d_linear_shape_function(unit, v);
+            gradient +=
+              distance * Shape::d_linear_shape_function_gradient(unit, v);
+          }
+        for (unsigned int d = 0; d < dim; ++d)
+          gradient[d] /= cell.edges[d];
+      }
+    };
+  } // namespace
+
+
+
   template <int dim>
   bool
   PointCloud<dim>::put_out_of_solids(const std::size_t point)
   {
     constexpr double   beside = 1e-6; // of the smallest edge: no cell is dry
     constexpr unsigned rounds = 4;    // curved walls, corners
-    const auto        &solids = locator.grid.parameters.solids;
+    const auto        &solids = locator.solids;
     const unsigned int last   = point_cells[point];
     if (solids.empty() ||
         (last != invalid && !locator.cells.is_near_solid(last)))
       return false;
-    const double above =
-      last == invalid ? 0. :
-                        beside * locator.cells.geometry(last).shortest_edge();
     bool moved = false;
     for (unsigned int round = 0; round < rounds; ++round)
       {
-        const dealii::Point<dim> here  = position(point);
-        const Solid<dim>        *solid = nearest_solid(solids, here);
-        const double             depth = -solid->shape->distance(here);
-        if (!(depth > 0.))
+        const dealii::Point<dim> here = position(point);
+        const unsigned int       cell = std::isfinite(here.norm_square()) ?
+                                          locator.find(here, last) :
+                                          invalid;
+        if (cell == invalid || !locator.cells.is_near_solid(cell))
           break;
-        const dealii::Tensor<1, dim> normal   = solid->shape->normal(here);
-        double                       approach = 0.;
+        const CellGeometry<dim> &geometry = locator.cells.geometry(cell);
+        const Solid<dim>        *solid    = nearest_solid(solids, here);
+        if (solid->shape->distance(here) > geometry.edges.norm())
+          break;
+        const GridDistance<dim> wall(solids, geometry, here);
+        const double            steepness = wall.gradient.norm();
+        if (!(wall.value < 0. && steepness > 0.))
+          break;
+        const dealii::Tensor<1, dim> normal = wall.gradient / steepness;
+        const double                 way =
+          -wall.value / steepness +
+          (last == invalid ? 0. : beside * geometry.shortest_edge());
+        double approach = -(normal * solid->velocity().at(here));
         for (unsigned int d = 0; d < dim; ++d)
           approach += normal[d] * data(PointColumn::velocity, d)[point];
-        const double way = depth + above;
         for (unsigned int d = 0; d < dim; ++d)
           {
             data(PointColumn::position, d)[point] += way * normal[d];

@@ -89,6 +89,7 @@ namespace seiche
     , pieces(moved_surface(step))
   {
     find_wet_places();
+    find_wet_places_of_solids();
   }
 
   template <int dim>
@@ -110,7 +111,7 @@ namespace seiche
             for (unsigned int v = 0; v < level.size(); ++v)
               if (face.has_vertex(v) && level[v] < 0.)
                 wet_places.push_back(
-                  {wall,
+                  {wall->number,
                    moved_place(view,
                                cell,
                                GeometryInfo<dim>::unit_cell_vertex(v),
@@ -123,7 +124,33 @@ namespace seiche
           for (unsigned int v = 0; v < dim; ++v)
             if (std::abs(piece.unit[v][face.direction()] - face.is_upper()) <
                 slack)
-              wet_places.push_back({wall, piece.place[v]});
+              wet_places.push_back({wall->number, piece.place[v]});
+  }
+
+  template <int dim>
+  void
+  ExtentOfSurface<dim>::find_wet_places_of_solids()
+  {
+    const auto        &solids = view.occupancy.mesh_nodes.cut_walls;
+    const unsigned int n_walls =
+      view.occupancy.locator.grid.parameters.walls.size();
+    if (!solids.exist())
+      return;
+    GridEvaluation<dim> here(view);
+    for (const unsigned int cell : view.occupancy.cells.occupied())
+      if (const auto *points = view.fill.wall(cell))
+        for (const WallPoint<dim> &point : *points)
+          wet_places.push_back(
+            {n_walls + point.solid, moved_place(view, cell, point.unit, here)});
+    for (const MovedPiece<dim> &piece : pieces)
+      if (solids.cuts(piece.cell))
+        for (unsigned int v = 0; v < dim; ++v)
+          if (solids.distance_at(piece.cell, piece.unit[v]) <
+              slack * view.occupancy.locator.cells.geometry(piece.cell)
+                        .shortest_edge())
+            wet_places.push_back(
+              {n_walls + solids.solid_near(piece.cell, piece.unit[v]),
+               piece.place[v]});
   }
 
   template <int dim>
@@ -235,7 +262,7 @@ namespace seiche
   {
     double result = none;
     for (const WetPlace &wet : wet_places)
-      if (wet.wall->number == wall)
+      if (wet.wall == wall)
         result = std::max(result, wet.place[dim - 1]);
     return result;
   }

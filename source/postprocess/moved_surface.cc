@@ -5,6 +5,26 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// A piece of the surface without what of it lies in solids.
+    template <int dim>
+    std::vector<SurfacePiece<dim>>
+    outside_of_solids(const SurfacePiece<dim> &piece,
+                      const CutWalls<dim>     &walls,
+                      const unsigned int       cell)
+    {
+      if (!walls.cuts(cell))
+        return walls.wet_share(cell) > 0. ?
+                 std::vector<SurfacePiece<dim>>{piece} :
+                 std::vector<SurfacePiece<dim>>();
+      std::array<double, dim> inwards;
+      for (unsigned int v = 0; v < dim; ++v)
+        inwards[v] = -walls.distance_at(cell, piece[v]);
+      return parts_inside<dim>(piece, inwards);
+    }
+  } // namespace
+
   template <int dim>
   Point<dim>
   moved_place(const StepView<dim> &view,
@@ -25,14 +45,16 @@ namespace seiche
     for (unsigned int cell = 0; cell < view.occupancy.locator.cells.n_owned();
          ++cell)
       if (view.occupancy.cells.is_active(cell))
-        for (const SurfacePiece<dim> &unit :
+        for (const SurfacePiece<dim> &whole :
              surface_pieces<dim>(view.fill.surface().level_in(cell)))
-          {
-            MovedPiece<dim> piece{cell, unit, {}};
-            for (unsigned int v = 0; v < dim; ++v)
-              piece.place[v] = moved_place(view, cell, unit[v], here);
-            result.push_back(piece);
-          }
+          for (const SurfacePiece<dim> &unit : outside_of_solids<dim>(
+                 whole, view.occupancy.mesh_nodes.cut_walls, cell))
+            {
+              MovedPiece<dim> piece{cell, unit, {}};
+              for (unsigned int v = 0; v < dim; ++v)
+                piece.place[v] = moved_place(view, cell, unit[v], here);
+              result.push_back(piece);
+            }
     return result;
   }
 

@@ -18,12 +18,13 @@ namespace seiche
   void
   RunUpParameters<dim>::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Wall",
-                      wall,
-                      "Side of the domain, or name of an obstacle, on which "
-                      "the highest wet place is read.",
-                      Patterns::Anything(),
-                      /*has_to_be_set=*/true);
+    prm.add_parameter(
+      "Wall",
+      wall,
+      "Side of the domain, or name of an obstacle or solid, on which "
+      "the highest wet place is read.",
+      Patterns::Anything(),
+      /*has_to_be_set=*/true);
   }
 
   template <int dim>
@@ -32,16 +33,16 @@ namespace seiche
                               const GridParameters<dim> &grid) const
   {
     std::vector<std::string> known = wall_names(grid);
-    known.resize(grid.walls.size()); // no solids
-    const std::string hint = nearest_hint(wall, known);
-    const std::string path = std::string(kind) + " " + name + "/Wall";
+    const std::string        hint  = nearest_hint(wall, known);
+    const std::string        path  = std::string(kind) + " " + name + "/Wall";
     const auto id = std::find(known.begin(), known.end(), wall) - known.begin();
     input.require(id < static_cast<std::ptrdiff_t>(known.size()),
                   path,
                   "there is no wall \"" + wall + "\"" +
                     (hint.empty() ? "." : hint) + " Walls are " +
                     quoted_list(known) + ".");
-    input.require(!grid.walls[id].is_side() ||
+    input.require(id >= static_cast<std::ptrdiff_t>(grid.walls.size()) ||
+                    !grid.walls[id].is_side() ||
                     grid.walls[id].side().direction() != dim - 1,
                   path,
                   "water runs up walls that stand upright: name another side, "

@@ -93,7 +93,8 @@ namespace seiche
                             StatisticsTable & /*statistics*/)
   {
     if (!series.due(view.time) ||
-        (view.step > 0 && !parameters.any_displaced()))
+        (view.step > 0 && !parameters.any_displaced() &&
+         !any_moves(parameters.solids)))
       return;
     FieldPatches<dim - 1, dim> walls(view.time, view.step);
     walls.add_scalar("part [-]");

@@ -67,9 +67,9 @@ namespace seiche
     if (!tank.any())
       return in_laboratory(x);
     const TankPose<dim>         &pose = tank.at(t);
-    const dealii::Tensor<1, dim> r    = x - tank.centre;
+    const dealii::Tensor<1, dim> r    = x - tank.centre();
     return transpose(pose.rotation) *
-             in_laboratory(tank.centre + pose.displacement +
+             in_laboratory(tank.centre() + pose.displacement +
                            pose.rotation * r) -
            pose.acceleration - pose.of_place * r;
   }

@@ -71,6 +71,29 @@ namespace seiche
 
     template <int dim>
     double
+    speed_of_solids(const GridParameters<dim> &grid, const double end_time)
+    {
+      double result = 0., before = 0.;
+      if (any_moves(grid.solids))
+        for (const double t : sample_times(end_time))
+          {
+            if (t > before)
+              {
+                std::vector<Solid<dim>> solids;
+                for (const Solid<dim> &solid : grid.solids)
+                  solids.push_back(solid.at(before));
+                result =
+                  std::max(result,
+                           largest_way(solids, grid.domain(), t - before) /
+                             (t - before));
+              }
+            before = t;
+          }
+      return result;
+    }
+
+    template <int dim>
+    double
     speed_of_tank(const GridParameters<dim> &grid,
                   const TankMotion<dim>     &tank,
                   const double               end_time)
@@ -81,7 +104,7 @@ namespace seiche
       const auto       place  = [&](const double t) {
         const TankPose<dim> &pose = tank.at(t);
         return Tensor<1, dim>(pose.displacement +
-                              pose.rotation * (middle - tank.centre));
+                              pose.rotation * (middle - tank.centre()));
       };
       const std::vector<double> times = sample_times(end_time);
       Tensor<1, dim>            first;
@@ -108,6 +131,7 @@ namespace seiche
   {
     return std::max({speed_along_walls(grid, end_time),
                      speed_of_sides(grid, end_time),
+                     speed_of_solids(grid, end_time),
                      speed_of_tank(grid, tank, end_time)});
   }
 

@@ -22,7 +22,46 @@ namespace seiche
                       "On which side of the surface the fluid is: outside of "
                       "the shape, or inside, as in a tank of that shape. [-]",
                       Patterns::Selection("outside|inside"));
+    prm.add_parameter("Condition",
+                      condition,
+                      "What the wall does to the fluid along itself: slip: "
+                      "nothing but its Friction; no-slip: the fluid sticks to "
+                      "it, or slips by Navier's law. [-]",
+                      Patterns::Selection("slip|no-slip"));
+    prm.add_parameter("Slip length",
+                      slip_length,
+                      "Of Navier's law with Condition = no-slip: depth below "
+                      "the wall at which the fluid's velocity would be the "
+                      "wall's; 0: the fluid sticks. [m]",
+                      Patterns::Double(0.));
+    prm.add_parameter("Friction",
+                      friction,
+                      "Skin friction coefficient c_f with Condition = slip: "
+                      "drag c_f/2 rho |v| v per area. [-]",
+                      Patterns::Double(0.));
+    motion.add_parameters(
+      prm,
+      "Where the solid has gone from its place at t = 0: one expression of t "
+      "per direction, separated by \";\"; empty: nowhere. [m]");
     prm.leave_subsection();
+  }
+
+  template <int dim>
+  void
+  SolidParameters<dim>::check(const InputFile &input) const
+  {
+    shape.check(input);
+    motion.check(input);
+    input.read_only_if(condition == "no-slip",
+                       section() + "/Slip length",
+                       "Condition = no-slip");
+    input.read_only_if(condition == "slip",
+                       section() + "/Friction",
+                       "Condition = slip");
+    if (condition == "no-slip")
+      input.cites("juntunen2009");
+    if (friction > 0.)
+      input.cites("schlichting1979");
   }
 
   template <int dim>
@@ -30,16 +69,99 @@ namespace seiche
   make_solids(const std::vector<SolidParameters<dim>> &solids,
               const InputFile                         &input,
               const BoundingBox<dim>                  &domain,
-              const std::vector<ShapeParameters<dim>> &named)
+              const std::vector<ShapeParameters<dim>> &named,
+              const double                             end_time,
+              const double                             step)
   {
     std::vector<Solid<dim>> result;
-    for (const auto &solid : solids)
+    for (const auto &parameters : solids)
       {
-        auto shape = solid.shape.make(input, domain, named);
-        if (solid.side == "inside")
+        auto shape = parameters.shape.make(input, domain, named);
+        if (parameters.side == "inside")
           shape = complement_shape<dim>(std::move(shape), domain);
-        result.push_back({solid.name, std::move(shape)});
+        Solid<dim> solid;
+        solid.name           = parameters.name;
+        solid.shape_at_start = std::move(shape);
+        solid.shape          = solid.shape_at_start;
+        if (parameters.condition == "no-slip")
+          solid.slip_length = parameters.slip_length;
+        else
+          solid.friction = parameters.friction;
+        if (parameters.motion.any())
+          solid.motion = std::make_shared<RigidMotion<dim>>(
+            parameters.motion, input, domain, end_time, step);
+        result.push_back(solid.at(/*time=*/0.));
       }
+    return result;
+  }
+
+  template <int dim>
+  Solid<dim>
+  Solid<dim>::at(const double other_time) const
+  {
+    Solid result = *this;
+    result.time  = other_time;
+    if (motion != nullptr)
+      result.shape = placed_shape<dim>(shape_at_start,
+                                       motion->at(other_time),
+                                       shape_at_start->bounding_box());
+    return result;
+  }
+
+  template <int dim>
+  RigidWay<dim>
+  Solid<dim>::way(const double dt, const double theta) const
+  {
+    if (motion == nullptr)
+      return {};
+    const double end = std::min(time + dt, motion->end_time);
+    return way_between(motion->at(time), motion->at(end), theta);
+  }
+
+  template <int dim>
+  RigidWay<dim>
+  Solid<dim>::velocity() const
+  {
+    return motion == nullptr ? RigidWay<dim>() : motion->velocity(time);
+  }
+
+  template <int dim>
+  bool
+  any_moves(const std::vector<Solid<dim>> &solids)
+  {
+    return std::any_of(solids.begin(), solids.end(), [](const auto &solid) {
+      return solid.motion != nullptr;
+    });
+  }
+
+  template <int dim>
+  bool
+  any_is_free(const std::vector<Solid<dim>> &solids)
+  {
+    return std::any_of(solids.begin(), solids.end(), [](const auto &solid) {
+      return solid.is_free();
+    });
+  }
+
+  template <int dim>
+  double
+  largest_way(const std::vector<Solid<dim>> &solids,
+              const BoundingBox<dim>        &domain,
+              const double                   dt)
+  {
+    double result = 0.;
+    for (const Solid<dim> &solid : solids)
+      if (solid.motion != nullptr)
+        {
+          const BoundingBox<dim> box =
+            common_box(solid.shape->bounding_box(), domain);
+          RigidWay<dim> velocity = solid.velocity();
+          velocity *= dt;
+          for (const RigidWay<dim> &way :
+               {velocity, solid.way(dt, /*theta=*/0.)})
+            for (unsigned int v = 0; v < (1u << dim); ++v)
+              result = std::max(result, way.at(box.vertex(v)).norm());
+        }
     return result;
   }
 
@@ -57,20 +179,24 @@ namespace seiche
                               });
   }
 
-  template const Solid<2> *
-  nearest_solid<2>(const std::vector<Solid<2>> &, const Point<2> &);
-  template const Solid<3> *
-  nearest_solid<3>(const std::vector<Solid<3>> &, const Point<3> &);
-  template struct SolidParameters<2>;
-  template struct SolidParameters<3>;
-  template std::vector<Solid<2>>
-  make_solids(const std::vector<SolidParameters<2>> &,
-              const InputFile &,
-              const BoundingBox<2> &,
-              const std::vector<ShapeParameters<2>> &);
-  template std::vector<Solid<3>>
-  make_solids(const std::vector<SolidParameters<3>> &,
-              const InputFile &,
-              const BoundingBox<3> &,
-              const std::vector<ShapeParameters<3>> &);
+#define INSTANTIATE(dim)                                                    \
+  template struct Solid<dim>;                                               \
+  template const Solid<dim> *nearest_solid(const std::vector<Solid<dim>> &, \
+                                           const Point<dim> &);             \
+  template bool              any_moves(const std::vector<Solid<dim>> &);    \
+  template bool              any_is_free(const std::vector<Solid<dim>> &);  \
+  template double            largest_way(const std::vector<Solid<dim>> &,   \
+                                         const BoundingBox<dim> &,          \
+                                         const double);                     \
+  template struct SolidParameters<dim>;                                     \
+  template std::vector<Solid<dim>> make_solids(                             \
+    const std::vector<SolidParameters<dim>> &,                              \
+    const InputFile &,                                                      \
+    const BoundingBox<dim> &,                                               \
+    const std::vector<ShapeParameters<dim>> &,                              \
+    const double,                                                           \
+    const double);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace seiche

@@ -28,10 +28,10 @@ namespace seiche
     class PlacedShape : public Shape<dim>
     {
     public:
-      PlacedShape(ShapePointer<dim>     &&placed,
+      PlacedShape(const SharedShape<dim> &placed,
                   const Placement<dim>   &its_placement,
                   const BoundingBox<dim> &whole)
-        : shape(std::move(placed))
+        : shape(placed)
         , placement(its_placement)
         , domain(whole)
       {}
@@ -88,9 +88,9 @@ namespace seiche
       }
 
     private:
-      const ShapePointer<dim> shape;
-      const Placement<dim>    placement;
-      const BoundingBox<dim>  domain;
+      const SharedShape<dim> shape;
+      const Placement<dim>   placement;
+      const BoundingBox<dim> domain;
     };
   } // namespace
 
@@ -124,19 +124,17 @@ namespace seiche
 
   template <int dim>
   ShapePointer<dim>
-  placed_shape(ShapePointer<dim>     &&shape,
+  placed_shape(const SharedShape<dim> &shape,
                const Placement<dim>   &placement,
                const BoundingBox<dim> &domain)
   {
-    return std::make_unique<PlacedShape<dim>>(std::move(shape),
-                                              placement,
-                                              domain);
+    return std::make_unique<PlacedShape<dim>>(shape, placement, domain);
   }
 
-#define INSTANTIATE(dim)                                          \
-  template struct Placement<dim>;                                 \
-  template ShapePointer<dim> placed_shape(ShapePointer<dim> &&,   \
-                                          const Placement<dim> &, \
+#define INSTANTIATE(dim)                                            \
+  template struct Placement<dim>;                                   \
+  template ShapePointer<dim> placed_shape(const SharedShape<dim> &, \
+                                          const Placement<dim> &,   \
                                           const BoundingBox<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/simulation/problem.h>
 #include <seiche/simulation/solids_on_grid.h>
+#include <seiche/solve/solid_coupling.h>
+#include <seiche/solve/tank_coupling.h>
 #include <seiche/utilities/exceptions.h>
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace seiche
 {
@@ -30,6 +34,16 @@ namespace seiche
       return scene.postprocessors.measure_forces() ||
              scene.grid.any_friction() || scene.grid.any_unilateral() ||
              scene.tank_motion.body.any();
+    }
+    /// Places of solids that the fluid moves: points are found outside of them.
+    template <int dim>
+    void
+    load_free_solids(StateArchive &archive, std::vector<Solid<dim>> &solids)
+    {
+      unsigned int body = 0;
+      for (Solid<dim> &solid : solids)
+        if (solid.is_free())
+          BodyCoupling<dim>::save_or_load_body(archive, body++, *solid.motion);
     }
   } // namespace
 
@@ -66,7 +80,7 @@ namespace seiche
     , row_mass(occupancy, needs_row_mass(scene))
     , wall_friction(occupancy, row_mass)
     , wall_contact(wall_conditions, occupancy, row_mass, body_force, materials)
-    , tank_coupling(tank_motion, occupancy, scene.newton.tolerance)
+    , bodies(make_bodies())
     , quadrature(make_quadrature(points, fill, materials, volume_ratio(scene)))
     , matrix(fill, formulation.has_pressure())
     , assembler(formulation,
@@ -77,6 +91,21 @@ namespace seiche
                 timer)
   {
     require_solids_on_grid(occupancy, scene.input);
+  }
+
+  template <int dim>
+  std::unique_ptr<BodyCoupling<dim>>
+  Problem<dim>::make_bodies()
+  {
+    const double tolerance = scene.newton.tolerance;
+    if (tank_motion.body() != nullptr)
+      return std::make_unique<TankCoupling<dim>>(tank_motion,
+                                                 occupancy,
+                                                 tolerance);
+    if (any_is_free(locator.solids))
+      return std::make_unique<SolidCoupling<dim>>(
+        occupancy, wall_conditions, body_force, materials, tolerance);
+    return nullptr;
   }
 
   template <int dim>
@@ -97,12 +126,13 @@ namespace seiche
     if (start == nullptr)
       return seed_bodies(
         scene.seeding, bodies, scene.input, scene.materials, points);
+    double time = 0.;
+    start->state().section("time", [&]() { start->state()("time", time); });
     if (grid_motion.any())
-      {
-        double time = 0.;
-        start->state().section("time", [&]() { start->state()("time", time); });
-        locator.move(grid_motion, time);
-      }
+      locator.move(grid_motion, time);
+    load_free_solids(start->state(), locator.solids);
+    if (any_moves(locator.solids))
+      locator.move_solids(time);
     start->insert_own_points(points);
     points.locate();
     if (points.n_global() != start->n_points())
@@ -118,9 +148,12 @@ namespace seiche
   void
   Problem<dim>::move_grid(const double time)
   {
-    if (!grid_motion.any())
+    if (!grid_motion.any() && !any_moves(locator.solids))
       return;
-    locator.move(grid_motion, time);
+    if (grid_motion.any())
+      locator.move(grid_motion, time);
+    else
+      locator.move_solids(time);
     occupancy.update_places();
   }
 
@@ -194,7 +227,9 @@ namespace seiche
   double
   Problem<dim>::wall_way(const double time, const double dt) const
   {
-    return grid_motion.largest_way(time, dt) / occupancy.smallest_extent();
+    return std::max(grid_motion.largest_way(time, dt),
+                    largest_way(locator.solids, scene.grid.domain(), dt)) /
+           occupancy.smallest_extent();
   }
 
   template class Problem<2>;

@@ -141,9 +141,21 @@ namespace seiche
                                       "occupied_cells"};
     if (time.controls_error())
       names.push_back("time_error [cells]");
-    for (const auto direction : tank_motion.body.directions(input))
-      for (const std::string &column : direction.columns())
-        names.push_back(column);
+    const auto add_columns = [&](const RigidMotionParameters<dim> &motion,
+                                 const std::string                &name) {
+      for (const auto direction : motion.body.directions(input))
+        for (const std::string &column : direction.columns(name))
+          names.push_back(column);
+    };
+    add_columns(tank_motion, "tank");
+    for (const auto &solid : solids)
+      if (solid.motion.any())
+        {
+          names.push_back("work of " + solid.name + " [J]");
+          for (unsigned int d = 0; d < BodyDirection<dim>::n_all; ++d)
+            names.push_back(BodyDirection<dim>{d}.column_of_place(solid.name));
+          add_columns(solid.motion, solid.name);
+        }
     const auto account = PointControl<dim>::account_names(point_control);
     names.insert(names.end(), account.begin(), account.end());
     return names;

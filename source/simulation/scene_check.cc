@@ -50,6 +50,11 @@ namespace seiche
                   "a side that moves along its normal and solids do not go "
                   "together: use Obstacle NAME, or Tank motion.");
         }
+      scene.input.require(!scene.tank_motion.body.any() ||
+                            !any_is_free(scene.grid.solids),
+                          scene.tank_motion.body.path("Free"),
+                          "a tank and solids that the fluid moves do not go "
+                          "together: leave it, or Free of the solids, empty.");
       if (!scene.solids.empty())
         scene.input.cites("nitsche1971");
     }
@@ -114,7 +119,8 @@ namespace seiche
     for (auto &material : further_materials)
       of_sections.emplace_back([&]() { material.check(input_file); });
     require_all(of_sections);
-    grid.solids = make_solids(solids, input_file, grid.domain(), shapes);
+    grid.solids = make_solids(
+      solids, input_file, grid.domain(), shapes, time.end_time, time.step);
     check_materials(input_file);
     check_choices(input_file);
     check_scheme(*this);

@@ -127,6 +127,7 @@ namespace seiche
         return false;
       if (problem.tank_motion.any())
         balance = problem.assembler.balance(state);
+      add_work_of_solids();
 
       // convection: the points move with the grid
       {
@@ -139,12 +140,28 @@ namespace seiche
         damage_if_asked(problem.points);
       }
       time_stepper.accept(record.error);
-      if (problem.tank_coupling.any())
-        problem.tank_motion.body_to_move().accept();
+      if (problem.bodies != nullptr)
+        problem.bodies->accept();
       is_on_grid = points_are_controlled = false;
     }
     postprocess();
     return true;
+  }
+
+  template <int dim>
+  void
+  Simulation<dim>::add_work_of_solids()
+  {
+    if (!any_moves(problem.locator.solids))
+      return;
+    std::vector<double> work(problem.locator.solids.size(), 0.);
+    state.for_each_solid_reaction([&](const SolidReaction<dim> &reaction) {
+      work[reaction.solid] += reaction.work;
+    });
+    Utilities::MPI::sum(work, communicator, work);
+    work_of_solids.resize(work.size());
+    for (unsigned int s = 0; s < work.size(); ++s)
+      work_of_solids[s] += work[s];
   }
 
   template <int dim>

@@ -79,6 +79,22 @@ namespace seiche
     return view;
   }
 
+  namespace
+  {
+    /// Of a body: its rates and what the fluid does to it.
+    template <int dim>
+    void
+    add_freedoms(const RigidMotion<dim> &motion,
+                 const double            time,
+                 std::vector<double>    &values)
+    {
+      for (const auto &freedom : motion.body()->freedoms())
+        values.insert(values.end(),
+                      {motion.jet(freedom.direction.number, time).first,
+                       freedom.fluid});
+    }
+  } // namespace
+
   template <int dim>
   void
   Simulation<dim>::postprocess()
@@ -98,12 +114,18 @@ namespace seiche
                                     problem.occupancy.cells.n_global())};
     if (scene.time.controls_error())
       values.push_back(time_stepper.error());
-    if (problem.tank_coupling.any())
-      for (const auto &freedom : problem.tank_motion.body()->freedoms())
-        values.insert(
-          values.end(),
-          {problem.tank_motion.jet(freedom.direction.number, time).first,
-           freedom.fluid});
+    if (problem.tank_motion.body() != nullptr)
+      add_freedoms(problem.tank_motion.free_motion(), time, values);
+    const auto &solids = problem.locator.solids;
+    for (unsigned int s = 0; s < solids.size(); ++s)
+      if (const Solid<dim> &solid = solids[s]; solid.motion != nullptr)
+        {
+          values.push_back(step == 0 ? 0. : work_of_solids[s]);
+          for (unsigned int d = 0; d < BodyDirection<dim>::n_all; ++d)
+            values.push_back(solid.motion->jet(d, time).value);
+          if (solid.is_free())
+            add_freedoms(*solid.motion, time, values);
+        }
     for (const auto &change : problem.point_control.account())
       values.push_back(change.second);
     const auto names = scene.simulation_columns();

@@ -75,6 +75,7 @@ namespace seiche
     archive("occupied cells", occupied_max);
     archive("unknowns", unknowns_max);
     archive("points are controlled", points_are_controlled);
+    archive("work of solids", work_of_solids);
     archive.section("time", [&]() { time_stepper.save_or_load(archive); });
     archive.section("accepted failures",
                     [&]() { accepted_failures.save_or_load(archive); });
@@ -86,8 +87,8 @@ namespace seiche
     archive.section("chamber notices",
                     [&]() { chamber_notices.save_or_load(archive); });
     archive.section("report", [&]() { report.save_or_load(archive); });
-    if (problem.tank_coupling.any())
-      problem.tank_coupling.save_or_load(archive);
+    if (problem.bodies != nullptr)
+      problem.bodies->save_or_load(archive);
     scene.postprocessors.save_or_load(archive);
   }
 

@@ -33,7 +33,7 @@ namespace seiche
   {
     const auto &locator = occupancy.locator;
     const auto &walls   = occupancy.mesh_nodes.cut_walls;
-    const auto &solids  = locator.grid.parameters.solids;
+    const auto &solids  = locator.solids;
     if (solids.empty())
       return;
     const unsigned int  n = solids.size();

@@ -39,7 +39,8 @@ namespace seiche
     , timer(run_timer)
     , has_pressure(problem.formulation.has_pressure())
     , measures_forces(problem.scene.postprocessors.measure_forces() ||
-                      problem.tank_coupling.any())
+                      any_moves(problem.locator.solids) ||
+                      problem.bodies != nullptr)
     , linear_solver(problem.scene.linear_solver, timer)
     , system{problem.assembler, problem.matrix, linear_solver}
     , velocity_projection(system,
@@ -52,7 +53,7 @@ namespace seiche
              system,
              residual_projection,
              problem.wall_contact,
-             problem.tank_coupling)
+             problem.bodies.get())
   {}
 
   template <int dim>
@@ -75,7 +76,9 @@ namespace seiche
   void
   StepSolver<dim>::begin(GridState<dim> &state)
   {
-    last             = NewtonResult();
+    last = NewtonResult();
+    if (problem.bodies != nullptr)
+      problem.bodies->begin(state);
     const double way = problem.wall_way(state.time, state.dt);
     if (way > largest_wall_way * problem.scene.time.maximum_displacement)
       throw StepFailure(fmt::format("a wall moves by {:.3g} cells", way));
@@ -87,7 +90,6 @@ namespace seiche
         "open a wall.",
         state.time));
     problem.convex_edges.update(state);
-    problem.tank_coupling.begin(state);
     linear_solver.begin_step();
   }
 
@@ -186,7 +188,8 @@ namespace seiche
     scheme.offsets(state, state.dt, inertia_offset, rate_offset);
     problem.wall_conditions.set_displacement(state, step, rate_offset);
     problem.wall_contact.begin_iteration(step, rate_offset);
-    problem.tank_coupling.begin_iteration(step);
+    if (problem.bodies != nullptr)
+      problem.bodies->begin_iteration(step);
     problem.assembler.begin(
       *problem.formulation.step, step, state, inertia_offset, rate_offset);
   }

@@ -21,7 +21,9 @@ namespace seiche
     data.extent_inertia =
       data.fluid.mass(fill.extent_moment(cell)) * data.geometry.measure;
     quadrature.get(cell, data.quadrature);
-    data.wall = fill.wall(cell);
+    data.wall          = fill.wall(cell);
+    data.solids        = &state.solids;
+    data.wall_material = &materials.of_cell(cell);
     data.solid_reactions.clear();
 
     const auto nodes = occupancy.template unknowns<degree>(cell);

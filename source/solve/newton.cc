@@ -77,13 +77,13 @@ namespace seiche
                       const LinearSystem<dim> &s,
                       ResidualProjection<dim> &r,
                       WallContact<dim>        &c,
-                      TankCoupling<dim>       &t)
+                      BodyCoupling<dim>       *b)
     : parameters(p)
     , first_forcing(forcing)
     , system(s)
     , projection(r)
     , contact(c)
-    , tank(t)
+    , bodies(b)
   {}
 
   template <int dim>
@@ -272,7 +272,7 @@ namespace seiche
       }
     residual_change += residual;
     const bool is_projected =
-      projection.update(state, result.iterations - progress.of_other_tanks);
+      projection.update(state, result.iterations - progress.of_other_bodies);
     if (is_projected)
       system.assembler.residual(state, residual);
     progress.now = norms(residual);
@@ -294,28 +294,28 @@ namespace seiche
         const bool may_correct =
           is_finite && (result.iterations > 0 || progress.is_done());
         const bool walls_differ = may_correct && contact.correct(state);
-        const bool tank_differs = may_correct && !walls_differ &&
-                                  progress.is_done() &&
-                                  tank.correct(state, progress.target.momentum);
-        if (walls_differ || tank_differs)
+        const bool bodies_differ =
+          may_correct && !walls_differ && progress.is_done() &&
+          bodies != nullptr && bodies->correct(state, progress.target.momentum);
+        if (walls_differ || bodies_differ)
           {
             system.assembler.residual(state, residual);
             progress.now = norms(residual);
-            if (tank_differs)
+            if (bodies_differ)
               {
                 set_target(progress, state); // the first guess had less forces
-                progress.of_other_tanks = result.iterations;
+                progress.of_other_bodies = result.iterations;
               }
             progress.begin(first_forcing); // another problem
           }
-        if (progress.is_done() && !tank_differs)
+        if (progress.is_done() && !bodies_differ)
           break;
         result.failure =
-          tank.is_lost() ?
-            "the acceleration of the tank that the fluid moves is not found: a Tank "
-            "motion/Load that jumps must be smoothed" :
+          bodies != nullptr && bodies->is_lost() ?
+            "the acceleration of a body that the fluid moves is not found: a "
+            "Load that jumps must be smoothed" :
             reason_to_stop(progress,
-                           result.iterations - progress.of_other_tanks);
+                           result.iterations - progress.of_other_bodies);
         if (result.failure.empty())
           iterate(state, then == IfUnconverged::take_nearest, progress, result);
         if (!result.failure.empty())

@@ -43,9 +43,24 @@ namespace seiche
   CutWalls<dim>::solid_near(const unsigned int cell,
                             const Point<dim>  &unit) const
   {
-    const auto &solids = locator->grid.parameters.solids;
+    const auto &solids = locator->solids;
     return nearest_solid(solids, locator->cells.geometry(cell).to_real(unit)) -
            solids.data();
+  }
+
+  template <int dim>
+  void
+  CutWalls<dim>::name_solids(const unsigned int           cell,
+                             std::vector<WallPoint<dim>> &wall) const
+  {
+    const auto &solids = locator->solids;
+    for (WallPoint<dim> &point : wall)
+      {
+        const Point<dim> x = locator->cells.geometry(cell).to_real(point.unit);
+        const Solid<dim> *const solid = nearest_solid(solids, x);
+        point.solid                   = solid - solids.data();
+        point.normal                  = -solid->shape->normal(x);
+      }
   }
 
   template <int dim>
@@ -54,7 +69,7 @@ namespace seiche
   {
     locator            = &mesh.locator;
     const auto &cells  = locator->cells;
-    const auto &solids = locator->grid.parameters.solids;
+    const auto &solids = locator->solids;
     if (solids.empty())
       return;
     const std::vector<double> sizes = sizes_at_nodes(mesh);
@@ -92,8 +107,7 @@ namespace seiche
         shares[cell] = std::min(1., part.whole.volume);
         if (part.whole.wall.empty())
           continue;
-        for (WallPoint<dim> &point : part.whole.wall)
-          point.solid = solid_near(cell, point.unit);
+        name_solids(cell, part.whole.wall);
         part_of_cell[cell] = parts.size();
         parts.push_back(std::move(part));
       }

@@ -53,6 +53,23 @@ namespace seiche
   }
 
   template <int dim>
+  std::vector<SurfacePiece<dim>>
+  parts_inside(const SurfacePiece<dim>       &piece,
+               const std::array<double, dim> &values)
+  {
+    const CellSimplex<dim, dim - 1> simplex{piece, values};
+    const Tensor<1, dim>            area = area_vector<dim>(piece);
+    std::vector<SurfacePiece<dim>>  result;
+    DividedSimplex<dim, dim - 1>(simplex).for_each_inside(
+      [&](SurfacePiece<dim> part) {
+        if (area_vector<dim>(part) * area < 0.) // it may be turned
+          std::swap(part[0], part[1]);
+        result.push_back(part);
+      });
+    return result;
+  }
+
+  template <int dim>
   Tensor<1, dim>
   area_vector(const SurfacePiece<dim> &piece)
   {
@@ -80,6 +97,10 @@ namespace seiche
   area_vector<2>(const SurfacePiece<2> &);
   template Tensor<1, 3>
   area_vector<3>(const SurfacePiece<3> &);
+  template std::vector<SurfacePiece<2>>
+  parts_inside<2>(const SurfacePiece<2> &, const std::array<double, 2> &);
+  template std::vector<SurfacePiece<3>>
+  parts_inside<3>(const SurfacePiece<3> &, const std::array<double, 3> &);
   template void
   add_pieces<2>(const CellSimplex<2> &, std::vector<SurfacePiece<2>> &);
   template void

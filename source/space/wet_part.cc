@@ -155,14 +155,9 @@ namespace seiche
         for (const SurfacePiece<dim> &piece : pieces)
           {
             const auto with_level = level.template on<dim - 1>(piece);
-            DividedSimplex<dim, dim - 1>(with_level)
-              .for_each_inside([&](const SurfacePiece<dim> &part) {
-                // a part may be turned
-                SurfacePiece<dim> outwards = part;
-                if (area_vector<dim>(part) * area_vector<dim>(piece) < 0.)
-                  std::swap(outwards[0], outwards[1]);
-                add_wall_points<dim>(outwards, geometry, wall);
-              });
+            for (const SurfacePiece<dim> &part :
+                 parts_inside<dim>(piece, with_level.values))
+              add_wall_points<dim>(part, geometry, wall);
           }
       }
     for (const WeightedPoint<dim> &point : all)

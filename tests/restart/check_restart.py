@@ -34,6 +34,7 @@ SCENE_BOX = str(HERE / "box_3d.prm")
 SCENE_SEAM = str(HERE / "seam_3d.prm")
 SCENE_MATERIALS = str(HERE / "materials_3d.prm")
 SCENE_SOLIDS = str(HERE / "solids_3d.prm")
+SCENE_FREE_SOLIDS = str(HERE / "free_solids_3d.prm")
 SCENE_POINTS = str(HERE / "cavity_2d.prm")
 # leave nothing to the solver's choices
 TIGHT = ["Solver/Newton tolerance = 1e-12",
@@ -197,6 +198,11 @@ def exact_seam(make, folder, ranks):
 def exact_solids(make, folder, ranks):
     """Walls cut cells."""
     exact(make(SCENE_SOLIDS, ranks), folder, ["statistics.csv"], ["0.1"])
+
+
+def exact_free_solids(make, folder, ranks):
+    """A body floats up beside a flap that turns."""
+    exact(make(SCENE_FREE_SOLIDS, ranks), folder, ["statistics.csv"], ["0.1"])
 
 
 def exact_materials(make, folder, ranks):
@@ -505,6 +511,7 @@ CASES = {"exact_2d": (exact_2d, 1), "exact_2d_2_ranks": (exact_2d, 2),
          "exact_box_2_ranks": (exact_box, 2),
          "exact_seam": (exact_seam, 1), "exact_seam_2_ranks": (exact_seam, 2),
          "exact_solids": (exact_solids, 1), "exact_solids_2_ranks": (exact_solids, 2),
+         "exact_free_solids": (exact_free_solids, 1), "exact_free_solids_2_ranks": (exact_free_solids, 2),
          "exact_materials": (exact_materials, 1),
          "exact_materials_2_ranks": (exact_materials, 2),
          "exact_points": (exact_points, 1),

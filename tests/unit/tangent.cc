@@ -144,8 +144,12 @@ namespace
   void
   test_walls()
   {
-    unsigned int n_exact = 0, n_all = 0;
-    for (const double theta : {0., 0.5, 1.})
+    unsigned int   n_exact = 0, n_all = 0;
+    const Material water   = newtonian(0.7),
+                   thinner = material_of(std::make_shared<PowerLaw>(0.4, 0.1),
+                                         /*viscosity=*/0.7);
+    for (const auto &[fluid, theta] :
+         {std::pair(water, 0.), {water, 0.5}, {water, 1.}, {thinner, 0.5}})
       {
         FormulationParameters parameters;
         const auto            formulation = make_formulation<dim>(parameters,
@@ -153,7 +157,6 @@ namespace
                                                        {/*bulk_modulus=*/50.},
                                                        volume_factors());
         CellData<dim, degree> cell;
-        const Material        water = newtonian(0.7);
         std::vector<WallPoint<dim>> wall(3);
         for (unsigned int q = 0; q < wall.size(); ++q)
           for (unsigned int d = 0; d < dim; ++d)
@@ -161,8 +164,27 @@ namespace
               wall[q].unit[d] = 0.2 + 0.25 * q - 0.1 * d;
               wall[q].area[d] = 0.3 - 0.2 * d + 0.1 * q;
             }
-        fill_cell(cell, water, theta, /*lumped=*/false);
-        cell.wall = &wall;
+        fill_cell(cell, fluid, theta, /*lumped=*/false);
+        std::vector<SolidInStep<dim>> solids(wall.size());
+        for (unsigned int s = 0; s < solids.size(); ++s)
+          {
+            wall[s].solid     = s; // slips with friction, sticks, between both
+            wall[s].normal[0] = 0.6;
+            wall[s].normal[1] = -0.8;
+            if (s > 0)
+              solids[s].slip_length = 0.3 * (s - 1.);
+            else
+              solids[s].friction = 0.4;
+            for (unsigned int i = 0; i < dim; ++i)
+              {
+                solids[s].way.shift[i] = 0.02 - 0.01 * s + 0.01 * i;
+                for (unsigned int k = 0; k < dim; ++k)
+                  solids[s].way.turn[i][k] = 0.03 * (i + 1.) - 0.02 * k * s;
+              }
+          }
+        cell.wall          = &wall;
+        cell.solids        = &solids;
+        cell.wall_material = &fluid;
         ++n_all;
         const double error = step_error(formulation, cell);
         if (error < 1e-6)

@@ -104,14 +104,16 @@ namespace
           pose.angles[0] = 0.7 * time + 0.4 * std::sin(3. * time);
           if (dim == 3)
             {
-              pose.angles[1 % pose.n_angles] = 0.5 * std::sin(2. * time);
-              pose.angles[2 % pose.n_angles] = 0.3 * time * time - 0.6 * time;
+              pose.angles[1 % pose.angles.size()] = 0.5 * std::sin(2. * time);
+              pose.angles[2 % pose.angles.size()] =
+                0.3 * time * time - 0.6 * time;
             }
           Tensor<1, dim> d = place<dim>(0.3 * std::sin(2. * time),
                                         0.1 * time * time,
                                         0.2 * std::cos(time));
-          return Point<dim>(tank.centre + d +
-                            rotation_of(pose) * (in_tank(time) - tank.centre));
+          return Point<dim>(tank.centre() + d +
+                            rotation_of(pose) *
+                              (in_tank(time) - tank.centre()));
         };
         const double         h = 2e-3;
         const Tensor<1, dim> A =
@@ -122,8 +124,8 @@ namespace
           (12. * h * h);
 
         const TankPose<dim> &pose = tank.at(t);
-        const Point<dim>     X(tank.centre + pose.displacement +
-                           pose.rotation * (in_tank(t) - tank.centre));
+        const Point<dim>     X(tank.centre() + pose.displacement +
+                           pose.rotation * (in_tank(t) - tank.centre()));
         worst_pose = std::max(worst_pose, X.distance(in_laboratory(t)));
         worst_pose =
           std::max(worst_pose, (pose.rotation - rotation_of(pose)).norm());

@@ -5,6 +5,7 @@
 #include <seiche/algebra/cell_matrix.h>
 #include <seiche/formulation/stabilization.h>
 #include <seiche/quadrature/quadrature.h>
+#include <seiche/scene/solid.h>
 #include <seiche/space/point_batch.h>
 
 #include <deal.II/base/tensor.h>
@@ -39,7 +40,9 @@ namespace seiche
                                 ///< formulation/point_inertia_term.h
     CellQuadrature<dim> quadrature;
     /// Of solids, where there is fluid at it; null: none.
-    const std::vector<WallPoint<dim>> *wall = nullptr;
+    const std::vector<WallPoint<dim>>   *wall          = nullptr;
+    const std::vector<SolidInStep<dim>> *solids        = nullptr; ///< by number
+    const Material                      *wall_material = nullptr; ///< at it
 
     alignas(64) NodalVector displacement;  ///< u [m]
     alignas(64) NodalVector acceleration;  ///< C_a u + offset, and the

@@ -7,15 +7,17 @@
 namespace seiche
 {
   /**
-   * @brief Slip along walls that cut cells, weakly (Nitsche 1971; doc/theory.md
-   * (8.10)):
+   * @brief No flow through walls that cut cells, weakly (Nitsche 1971;
+   * doc/theory.md (8.10)):
    *
-   *     R_u += int (p n_t + gamma rho C_a h (n.u) n).w dA,
-   *     R_p -= int q n_t.u dA,
+   *     R_u += int p n_t.w + gamma rho C_a h (m_t.(u - g)) m_t.w dA,
+   *     R_p -= int q n_t.(u - g) dA,
    *
-   * n_t = cof(F_t) n the normal of the wall as the fluid at it is deformed: the
-   * pressure is that of PressureTerm, so that a constant one does no work in a
-   * closed tank. Pressures of (4.2) and these are adjoint.
+   * g the way of the wall's places and n_t = cof(F_t) n the normal of the wall
+   * as the fluid at it is deformed: the pressure is that of PressureTerm, so
+   * that a constant one does no work in a closed tank. Pressures of (4.2) and
+   * these are adjoint. m is the normal of the solid itself: of a curved wall's
+   * chords n has kinks, where no flow but none would pass neither.
    */
   struct WallTerm : Term
   {

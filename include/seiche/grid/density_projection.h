@@ -3,6 +3,9 @@
 #define seiche_grid_density_projection_h
 
 #include <seiche/grid/fill.h>
+#include <seiche/space/cell_laplacian.h>
+
+#include <unordered_map>
 
 namespace seiche
 {
@@ -19,7 +22,8 @@ namespace seiche
    * n the cells that fluid passes in the step, psi = 0 elsewhere; a point moves
    * by grad psi, its velocity follows by Taylor with the gradient that it
    * carries. In a full box without a surface the mean of the right-hand side is
-   * left out.
+   * left out. Integrals are over what solids leave of a cell: no point is sent
+   * through their walls.
    */
   template <int dim>
   class DensityProjection
@@ -44,6 +48,16 @@ namespace seiche
     vmult(Vector &dst, const Vector &src) const;
 
   private:
+    using Laplacian = CellLaplacian<dim, 1>;
+
+    /// Of occupied cells that solids cut.
+    void
+    find_laplacians_at_walls();
+
+    /// Of an occupied cell; @p of_box may become that of its box.
+    const Laplacian &
+    laplacian(const unsigned int cell, Laplacian &of_box) const;
+
     /// S, and the inverse of the Laplacian's diagonal there.
     void
     choose_nodes();
@@ -58,8 +72,9 @@ namespace seiche
     const Occupancy<dim>     &occupancy;
     const double              rate;
     Vector                    potential, is_free, inverse_diagonal;
-    std::vector<unsigned int> free_cells;        ///< with a node of S
-    bool                      any_fixed = false; ///< else psi has no zero
+    std::vector<unsigned int> free_cells; ///< with a node of S
+    std::unordered_map<unsigned int, Laplacian> at_walls;
+    bool any_fixed = false; ///< else psi has no zero
   };
 } // namespace seiche
 

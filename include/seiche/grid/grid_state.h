@@ -88,6 +88,9 @@ namespace seiche
                              ///< impulse over dt; zero unless forces are
                              ///< measured
 
+    /// What solids do to it, by their number: WallConditions.
+    std::vector<SolidInStep<dim>> solids;
+
     /// Of solids on the fluid, in own cells; of what made v_0 of v_n, the
     /// impulses over dt, if forces are measured.
     std::vector<SolidReaction<dim>> solid_reactions, solid_start_reactions;

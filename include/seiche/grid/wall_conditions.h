@@ -22,18 +22,22 @@ namespace seiche
     /// @p occupancy must outlive the object.
     explicit WallConditions(const Occupancy<dim> &occupancy);
 
-    /// velocity_start from velocity_n, with the walls' at state.time.
-    /// Collective.
+    /// velocity_start from velocity_n, with the walls' at state.time, and what
+    /// solids do to it. Collective.
     void
     set_start_velocity(GridState<dim> &state) const;
 
     /// Fixed components of the displacement such that the fluid has the walls'
-    /// velocity at the end of the step; @p rate_offset of the scheme.
-    /// Collective.
+    /// velocity at the end of the step, and what solids do to it; @p
+    /// rate_offset of the scheme. Collective.
     void
     set_displacement(GridState<dim>                        &state,
                      const StepCoefficients                &coefficients,
                      const typename GridState<dim>::Vector &rate_offset) const;
+
+    /// The ways of solids in the step; @p theta of the scheme. Local.
+    void
+    set_ways_of_solids(GridState<dim> &state, const double theta) const;
 
     /// The walls' [m/s] in a direction in which they hold an own node; of a
     /// moving side within a small part of @p dt.
@@ -60,6 +64,11 @@ namespace seiche
     /// Side of the domain that decides about an own node's component, or null.
     const Wall<dim> *
     side(const unsigned int node, const unsigned int component) const;
+
+    /// With @p way_of(solid).
+    template <typename WayOf>
+    void
+    set_solids(GridState<dim> &state, const WayOf &way_of) const;
 
     const Occupancy<dim> &occupancy;
     const bool            moving;

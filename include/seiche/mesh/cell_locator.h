@@ -35,6 +35,10 @@ namespace seiche
     void
     move(const GridMotion<dim> &motion, const double time);
 
+    /// Move the solids to where they are at a time [s]. Local.
+    void
+    move_solids(const double time);
+
     /// Cell that holds @p x (wrapped) among own and ghost cells, or invalid. @p
     /// hint is tried first, then its neighbours. Local.
     unsigned int
@@ -53,6 +57,7 @@ namespace seiche
     wall_beyond(const dealii::Point<dim> &x) const;
 
     const BackgroundGrid<dim> &grid;
+    std::vector<Solid<dim>>    solids; ///< as they lie now
 
     GridLines<dim>   lines;
     Periods<dim>     periods;

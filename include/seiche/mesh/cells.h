@@ -39,6 +39,10 @@ namespace seiche
     void
     move(const CellLattice<dim> &lattice);
 
+    /// After a change of the cells or of the solids. Local.
+    void
+    find_solids(const std::vector<Solid<dim>> &solids);
+
     unsigned int
     n_owned() const
     {
@@ -151,8 +155,6 @@ namespace seiche
     /// What is smallest around own cells.
     void
     find_reaches();
-    void
-    find_solids();
     /// Of each vertex of the triangulation the number that stands for it and
     /// for those that coincide with it across a seam.
     std::vector<unsigned int>

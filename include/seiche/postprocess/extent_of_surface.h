@@ -32,15 +32,18 @@ namespace seiche
     surface() const override;
 
   private:
-    /// Corners of wet faces at walls, and ends of the surface there.
+    /// Corners of wet faces at walls and points of solids, and ends of the
+    /// surface there.
     struct WetPlace
     {
-      const Wall<dim>   *wall;
+      unsigned int       wall; ///< number in wall_names()
       dealii::Point<dim> place;
     };
 
     void
     find_wet_places();
+    void
+    find_wet_places_of_solids();
 
     /// The underside of a wall where the fluid reaches up to it, or none.
     double

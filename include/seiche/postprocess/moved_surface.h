@@ -29,8 +29,8 @@ namespace seiche
 
   /**
    * The free surface at the end of the step: that of its start, from which the
-   * step's quadrature follows (Fill::surface()), moved by the displacement.
-   * Needs the rule of cut cells. Local.
+   * step's quadrature follows (Fill::surface()), outside of solids, moved by
+   * the displacement. Needs the rule of cut cells. Local.
    */
   template <int dim>
   std::vector<MovedPiece<dim>>

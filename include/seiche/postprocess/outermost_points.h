@@ -59,8 +59,17 @@ namespace seiche
     double
     wet_height(const unsigned int wall) const override
     {
-      const auto &locator = view.occupancy.locator;
+      const auto        &locator = view.occupancy.locator;
+      const auto        &solids  = view.occupancy.mesh_nodes.cut_walls;
+      const unsigned int n_walls = locator.grid.parameters.walls.size();
       return largest(dim - 1, 1., [&](const Entry &entry) {
+        if (wall >= n_walls)
+          return solids.cuts(entry.cell) &&
+                 n_walls + solids.solid_near(entry.cell,
+                                             locator.cells.geometry(entry.cell)
+                                               .to_unit(view.points.position(
+                                                 entry.point))) ==
+                   wall;
         for (const unsigned int face :
              dealii::GeometryInfo<dim>::face_indices())
           if (const Wall<dim> *const here =

@@ -2,44 +2,19 @@
 #ifndef seiche_scene_tank_motion_h
 #define seiche_scene_tank_motion_h
 
-#include <seiche/scene/expression.h>
 #include <seiche/scene/grid_parameters.h>
-#include <seiche/scene/tank_body.h>
+#include <seiche/scene/rigid_motion.h>
 
 #include <array>
-#include <memory>
-#include <optional>
 
 namespace seiche
 {
   /// prm entries of "Tank motion".
   template <int dim>
-  struct TankMotionParameters
+  struct TankMotionParameters : RigidMotionParameters<dim>
   {
-    std::string             displacement; // expressions [m], or empty
-    std::string             rotation;     // expressions [rad], or empty
-    std::string             centre = (dim == 2 ? "0, 0" : "0, 0, 0"); // [m]
-    TankBodyParameters<dim> body;
-
     void
     add_parameters(dealii::ParameterHandler &prm);
-
-    /// Entries without effect; TankMotion looks at the others.
-    void
-    check(const InputFile &input) const;
-
-    /// True if the tank moves.
-    bool
-    any() const
-    {
-      return !displacement.empty() || !rotation.empty() || body.any();
-    }
-
-    bool
-    turns() const
-    {
-      return !rotation.empty() || body.turns();
-    }
   };
 
   /**
@@ -50,14 +25,12 @@ namespace seiche
   template <int dim>
   struct TankPose
   {
-    static constexpr unsigned int n_angles = (dim == 2 ? 1 : 3);
-
-    dealii::Tensor<1, dim>       displacement; ///< d [m]
-    std::array<double, n_angles> angles{};     ///< [rad], roll, pitch, yaw
-    dealii::Tensor<2, dim>       rotation;     ///< R [-]
-    dealii::Tensor<1, dim>       acceleration; ///< R^T d'' [m/s^2]
-    dealii::Tensor<2, dim>       of_place;     ///< R^T R'' [1/s^2]
-    dealii::Tensor<2, dim>       coriolis;     ///< 2 R^T R' [1/s]
+    dealii::Tensor<1, dim>               displacement; ///< d [m]
+    std::array<double, n_rotations<dim>> angles{}; ///< [rad], roll, pitch, yaw
+    dealii::Tensor<2, dim>               rotation; ///< R [-]
+    dealii::Tensor<1, dim>               acceleration; ///< R^T d'' [m/s^2]
+    dealii::Tensor<2, dim>               of_place;     ///< R^T R'' [1/s^2]
+    dealii::Tensor<2, dim>               coriolis;     ///< 2 R^T R' [1/s]
   };
 
   /**
@@ -80,40 +53,49 @@ namespace seiche
     bool
     any() const
     {
-      return displacement || rotation || free_body;
+      return motion.any();
     }
 
     /// The pose at a time of the run [s]; the last one asked for is kept.
     const TankPose<dim> &
     at(const double time) const;
 
-    /// The motion in a direction of TankDirection at a time of the run [s].
+    /// The motion in a direction of BodyDirection at a time of the run [s].
     MotionJet
-    jet(const unsigned int direction, const double time) const;
-
-    const dealii::Point<dim> centre; ///< [m]
-
-    /// What the fluid moves; null if there is only the motion that is given.
-    const TankBody<dim> *
-    body() const
+    jet(const unsigned int direction, const double time) const
     {
-      return free_body.get();
+      return motion.jet(direction, time);
     }
 
-    /// The same, to be moved: at() and jet() follow.
-    TankBody<dim> &
-    body_to_move()
+    /// [m]
+    const dealii::Point<dim> &
+    centre() const
     {
-      return *free_body;
+      return motion.centre;
+    }
+
+    /// What the fluid moves; null if there is only the motion that is given.
+    const FreeBody<dim> *
+    body() const
+    {
+      return motion.body();
+    }
+
+    const RigidMotion<dim> &
+    free_motion() const
+    {
+      return motion;
+    }
+
+    /// To be moved: at() and jet() follow.
+    RigidMotion<dim> &
+    motion_to_move()
+    {
+      return motion;
     }
 
   private:
-    static constexpr unsigned int n_angles = TankPose<dim>::n_angles;
-
-    std::optional<Expression<dim>> displacement, rotation;
-    std::unique_ptr<TankBody<dim>> free_body;
-    const double                   end_time;
-    const double                   spacing; ///< of differences in time [s]
+    RigidMotion<dim> motion;
 
     mutable double        time_of_pose;
     mutable unsigned int  version_of_body = 0;

@@ -64,7 +64,7 @@ namespace seiche
   /// The box of an endless one ends at that of @p domain.
   template <int dim>
   ShapePointer<dim>
-  placed_shape(ShapePointer<dim>             &&shape,
+  placed_shape(const SharedShape<dim>         &shape,
                const Placement<dim>           &placement,
                const dealii::BoundingBox<dim> &domain);
 } // namespace seiche

@@ -100,6 +100,8 @@ namespace seiche
 
   template <int dim>
   using ShapePointer = std::unique_ptr<const Shape<dim>>;
+  template <int dim>
+  using SharedShape = std::shared_ptr<const Shape<dim>>;
 } // namespace seiche
 
 #endif

@@ -11,7 +11,7 @@
 #include <seiche/simulation/checkpoint.h>
 #include <seiche/simulation/planned_scene.h>
 #include <seiche/solve/assembler.h>
-#include <seiche/solve/tank_coupling.h>
+#include <seiche/solve/body_coupling.h>
 #include <seiche/utilities/timer_tree.h>
 
 #include <memory>
@@ -40,8 +40,8 @@ namespace seiche
             const Checkpoint        *start        = nullptr,
             const MPI_Comm           communicator = MPI_COMM_WORLD);
 
-    /// Sides of the domain, and the grid with them, to where they are at
-    /// @p time [s]. Collective.
+    /// Sides of the domain, and the grid with them, or solids to where they are
+    /// at @p time [s]. Collective.
     void
     move_grid(const double time);
 
@@ -76,11 +76,12 @@ namespace seiche
     bool
     walls_move() const
     {
-      return scene.grid.any_moving();
+      return scene.grid.any_moving() || any_moves(locator.solids);
     }
 
-    /// Cells that sides of the domain move by in a step that starts at @p time
-    /// [s] and has size @p dt [s].
+    /// Cells that sides of the domain or solids move by in a step that starts
+    /// at
+    /// @p time [s] and has size @p dt [s].
     double
     wall_way(const double time, const double dt) const;
 
@@ -116,7 +117,8 @@ namespace seiche
     RowMass<dim>              row_mass;
     WallFriction<dim>         wall_friction;
     WallContact<dim>          wall_contact;
-    TankCoupling<dim>         tank_coupling;
+    /// Of what the fluid moves; null: nothing.
+    const std::unique_ptr<BodyCoupling<dim>> bodies;
 
     // equations
     const std::unique_ptr<const Quadrature<dim>> quadrature;
@@ -124,6 +126,9 @@ namespace seiche
     Assembler<dim>                               assembler;
 
   private:
+    std::unique_ptr<BodyCoupling<dim>>
+    make_bodies();
+
     std::set<PointColumn>
     point_columns() const;
 

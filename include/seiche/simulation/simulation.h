@@ -108,6 +108,10 @@ namespace seiche
     void
     locate_points();
 
+    /// What solids have done in the step. Collective.
+    void
+    add_work_of_solids();
+
     /// Shifting and reseeding, once a step.
     void
     control_points();
@@ -198,7 +202,8 @@ namespace seiche
     AcceptedFailures    accepted_failures;
     StatisticsTable     statistics;
 
-    StepBalance<dim> balance; ///< of the last step, if the tank moves
+    StepBalance<dim>    balance;        ///< of the last step, if the tank moves
+    std::vector<double> work_of_solids; ///< [J] on the fluid, if one moves
 
     bool is_on_grid            = false; ///< what the points carry now
     bool points_are_controlled = false; ///< PointControl has seen to them

@@ -3,9 +3,9 @@
 #define seiche_solve_newton_h
 
 #include <seiche/grid/wall_contact.h>
+#include <seiche/solve/body_coupling.h>
 #include <seiche/solve/linear_system.h>
 #include <seiche/solve/residual_projection.h>
-#include <seiche/solve/tank_coupling.h>
 
 #include <cmath>
 #include <string>
@@ -51,7 +51,7 @@ namespace seiche
    * if the problem proved nearly linear. Updates that make the residual grow
    * are shortened. Two updates in a row that hardly reduce it end an iteration
    * that may give up early. The set of nodes that unilateral walls hold is
-   * corrected after each update, the acceleration of a tank that the fluid
+   * corrected after each update, the accelerations of bodies that the fluid
    * moves once it has converged.
    */
   template <int dim>
@@ -60,16 +60,17 @@ namespace seiche
   public:
     using BlockVector = typename GridState<dim>::BlockVector;
 
-    /// @p first_forcing: what the first linear solve leaves of its residual.
+    /// @p first_forcing: what the first linear solve leaves of its residual; @p
+    /// bodies that the fluid moves, or null.
     Newton(const NewtonParameters  &parameters,
            const double             first_forcing,
            const LinearSystem<dim> &system,
            ResidualProjection<dim> &projection,
            WallContact<dim>        &contact,
-           TankCoupling<dim>       &tank);
+           BodyCoupling<dim>       *bodies);
 
     /// Solve for state.solution, starting at its value; assembler, contact
-    /// and tank have been begun for the step. state.reaction belongs to the
+    /// and bodies have been begun for the step. state.reaction belongs to the
     /// solution. Collective.
     NewtonResult
     solve(GridState<dim> &state, const IfUnconverged then);
@@ -103,7 +104,7 @@ namespace seiche
       bool         reuse       = false; ///< the tangent, in the next iteration
       bool         reused      = false; ///< in the last one, to its end
       unsigned int slow_in_row = 0;     ///< updates
-      unsigned int of_other_tanks = 0;  ///< iterations, before its last one
+      unsigned int of_other_bodies = 0; ///< iterations, before its last one
 
       bool
       is_finite() const
@@ -163,7 +164,7 @@ namespace seiche
     const LinearSystem<dim>  system;
     ResidualProjection<dim> &projection;
     WallContact<dim>        &contact;
-    TankCoupling<dim>       &tank;
+    BodyCoupling<dim>       *bodies; // null: none
     BlockVector              residual, update;
     BlockVector  residual_change; ///< new less old; A update if linear
     BlockVector  product;

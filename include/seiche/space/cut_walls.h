@@ -66,6 +66,17 @@ namespace seiche
       return parts[part_of_cell[cell]].distance;
     }
 
+    /// The same at a place in it.
+    double
+    distance_at(const unsigned int cell, const dealii::Point<dim> &unit) const
+    {
+      double result = 0.;
+      for (unsigned int v = 0; v < distance(cell).size(); ++v)
+        result += distance(cell)[v] *
+                  dealii::GeometryInfo<dim>::d_linear_shape_function(unit, v);
+      return result;
+    }
+
     /// A cut cell outside of the solids, full of fluid.
     const WetPart<dim> &
     whole(const unsigned int cell) const
@@ -76,6 +87,11 @@ namespace seiche
     /// The solid nearest to a place in the unit cell (WallPoint::solid).
     unsigned int
     solid_near(const unsigned int cell, const dealii::Point<dim> &unit) const;
+
+    /// Tell the points of a wall in a cell what solid is there and its normal.
+    void
+    name_solids(const unsigned int           cell,
+                std::vector<WallPoint<dim>> &wall) const;
 
     /// Integrals over the wet part of a cell of the hat functions of its
     /// vertices, over its measure.

@@ -20,6 +20,14 @@ namespace seiche
   dealii::Tensor<1, dim>
   area_vector(const SurfacePiece<dim> &piece);
 
+  /// Parts of a piece, whose normals are its own, where the linear function
+  /// with
+  /// these @p values at its vertices is negative.
+  template <int dim>
+  std::vector<SurfacePiece<dim>>
+  parts_inside(const SurfacePiece<dim>       &piece,
+               const std::array<double, dim> &values);
+
   /// Add where the function of a simplex vanishes; normals as below.
   template <int dim>
   void

@@ -27,6 +27,9 @@ namespace seiche
     dealii::Tensor<1, dim> area; ///< times the normal out of the fluid
                                  ///< [m^(dim-1)]
     unsigned int solid = 0;      ///< the nearest (GridParameters::solids)
+    /// Unit vector out of the fluid, that of the solid itself: the grid's walls
+    /// are chords.
+    dealii::Tensor<1, dim> normal;
   };
 
   /// What a solid does to the fluid at a point of its wall.
@@ -36,6 +39,7 @@ namespace seiche
     unsigned int           solid; ///< number
     dealii::Point<dim>     place; ///< in the configuration of the forces [m]
     dealii::Tensor<1, dim> force; ///< on the fluid [N]
+    double                 work = 0.; ///< on the fluid in the step [J]
   };
 
   /**

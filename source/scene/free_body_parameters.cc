@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The entries of a tank that the fluid moves, and the names of its directions.
+// The entries of a body that the fluid moves, and the names of its directions.
 #include <seiche/parameters/input_file.h>
-#include <seiche/scene/tank_body.h>
+#include <seiche/scene/free_body.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -17,23 +17,21 @@ namespace seiche
 
   namespace
   {
-    const char *const free_path = "Tank motion/Free";
-
     template <int dim>
     std::string
     names_of_directions()
     {
       std::string names;
-      for (unsigned int d = 0; d < TankDirection<dim>::n_all; ++d)
+      for (unsigned int d = 0; d < BodyDirection<dim>::n_all; ++d)
         names += (names.empty() ? "" : ", ") +
-                 std::string(TankDirection<dim>{d}.name());
+                 std::string(BodyDirection<dim>{d}.name());
       return names;
     }
   } // namespace
 
   template <int dim>
   const char *
-  TankDirection<dim>::name() const
+  BodyDirection<dim>::name() const
   {
     static const std::array<const char *, 3> names_2d = {
       {"x", "y", "rotation"}};
@@ -46,46 +44,63 @@ namespace seiche
   }
 
   template <int dim>
+  std::string
+  BodyDirection<dim>::column_of_place(const std::string &body) const
+  {
+    return is_angle() ?
+             fmt::format("{} {} [rad]", body, dim == 2 ? "angle" : name()) :
+             fmt::format("{} displacement {} [m]", body, name());
+  }
+
+  template <int dim>
   std::array<std::string, 2>
-  TankDirection<dim>::columns() const
+  BodyDirection<dim>::columns(const std::string &body) const
   {
     if (!is_angle())
-      return {{fmt::format("tank velocity {} [m/s]", name()),
-               fmt::format("fluid force on tank {} [N]", name())}};
+      return {{fmt::format("{} velocity {} [m/s]", body, name()),
+               fmt::format("fluid force on {} {} [N]", body, name())}};
     const std::string which = dim == 2 ? "" : std::string(name()) + " ";
-    return {{fmt::format("tank {}rate [rad/s]", which),
-             fmt::format("fluid moment on tank {}[N m]", which)}};
+    return {{fmt::format("{} {}rate [rad/s]", body, which),
+             fmt::format("fluid moment on {} {}[N m]", body, which)}};
   }
 
   template <int dim>
   void
-  TankBodyParameters<dim>::add_parameters(ParameterHandler &prm)
+  FreeBodyParameters<dim>::add_parameters(ParameterHandler &prm)
   {
     const Patterns::Anything anything;
     prm.add_parameter("Free",
                       free,
-                      "Directions in which the fluid moves the tank, beside "
-                      "the motion that is given: any of " +
+                      "Directions in which the fluid moves the " + what +
+                        ", beside the motion that is given: any of " +
                         names_of_directions<dim>() +
                         (dim == 2 ? "" : ", one angle at most") +
-                        ", separated by commas. A tank that may turn and be "
-                        "displaced has its centre of mass at Centre; empty: "
-                        "none.",
+                        ", separated by commas. A " + what +
+                        " that may turn and be displaced has its centre of "
+                        "mass at " +
+                        centre + "; empty: none.",
                       anything);
     prm.add_parameter("Inertia",
                       inertia,
-                      "Of the tank without fluid, for each direction of Free: "
-                      "mass [kg] or moment of inertia about Centre [kg m^2], "
-                      "in 2D per metre; expressions of t, separated by \";\".",
+                      "Of the " + what +
+                        " without fluid, for each direction of Free: "
+                        "mass [kg] or moment of inertia about " +
+                        centre +
+                        " [kg m^2], "
+                        "in 2D per metre; expressions of t, separated by "
+                        "\";\".",
                       anything);
     prm.add_parameter("Load",
                       load,
-                      "On the tank without that of the fluid, for each "
-                      "direction of Free: force [N] or moment about Centre "
-                      "[N m], in 2D per metre, of springs, dampers, weight; "
-                      "expressions of x, the displacement or angle in this "
-                      "direction, y, its rate, and t, separated by \";\". "
-                      "Empty: none.",
+                      "On the " + what +
+                        " without that of the fluid, for each "
+                        "direction of Free: force [N] or moment about " +
+                        centre +
+                        " [N m], in 2D per metre, of springs, dampers" +
+                        of_weight +
+                        "; expressions of x, the displacement or angle in this "
+                        "direction, y, its rate, and t, separated by \";\". "
+                        "Empty: none.",
                       anything);
     prm.add_parameter("Start",
                       start,
@@ -100,27 +115,27 @@ namespace seiche
 
   template <int dim>
   void
-  TankBodyParameters<dim>::check(const InputFile &input) const
+  FreeBodyParameters<dim>::check(const InputFile &input) const
   {
     for (const char *const entry : {"Inertia", "Load", "Start", "Start rate"})
-      input.read_only_if(any(), std::string("Tank motion/") + entry, free_path);
+      input.read_only_if(any(), path(entry), path("Free"));
     if (any())
       input.cites("broyden1965");
   }
 
   template <int dim>
-  std::vector<TankDirection<dim>>
-  TankBodyParameters<dim>::directions(const InputFile &input) const
+  std::vector<BodyDirection<dim>>
+  FreeBodyParameters<dim>::directions(const InputFile &input) const
   {
-    std::vector<TankDirection<dim>> result;
+    std::vector<BodyDirection<dim>> result;
     unsigned int                    n_angles = 0;
     for (const std::string &name : Utilities::split_string_list(free))
       {
-        TankDirection<dim> direction{0};
+        BodyDirection<dim> direction{0};
         while (direction.number < direction.n_all && name != direction.name())
           ++direction.number;
         input.require(direction.number < direction.n_all,
-                      free_path,
+                      path("Free"),
                       "there is no direction \"" + name + "\"; allowed are " +
                         names_of_directions<dim>() + ".");
         input.require(std::none_of(result.begin(),
@@ -128,33 +143,34 @@ namespace seiche
                                    [&](const auto &other) {
                                      return other.number == direction.number;
                                    }),
-                      free_path,
+                      path("Free"),
                       "\"" + name + "\" is named twice; name it once.");
         n_angles += direction.is_angle();
         result.push_back(direction);
       }
     input.require(n_angles <= 1,
-                  free_path,
-                  "a tank that turns freely about two axes is not possible; "
-                  "name one angle.");
+                  path("Free"),
+                  "a " + what +
+                    " that turns freely about two axes is not possible; "
+                    "name one angle.");
     return result;
   }
 
   template <int dim>
   bool
-  TankBodyParameters<dim>::turns() const
+  FreeBodyParameters<dim>::turns() const
   {
     const auto names = Utilities::split_string_list(free);
     return std::any_of(names.begin(), names.end(), [](const auto &name) {
-      TankDirection<dim> angle{dim};
+      BodyDirection<dim> angle{dim};
       while (angle.number < angle.n_all && name != angle.name())
         ++angle.number;
       return angle.number < angle.n_all;
     });
   }
 
-  template struct TankDirection<2>;
-  template struct TankDirection<3>;
-  template struct TankBodyParameters<2>;
-  template struct TankBodyParameters<3>;
+  template struct BodyDirection<2>;
+  template struct BodyDirection<3>;
+  template struct FreeBodyParameters<2>;
+  template struct FreeBodyParameters<3>;
 } // namespace seiche

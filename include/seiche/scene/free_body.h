@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#ifndef seiche_scene_tank_body_h
-#define seiche_scene_tank_body_h
+#ifndef seiche_scene_free_body_h
+#define seiche_scene_free_body_h
 
 #include <seiche/scene/expression.h>
+#include <seiche/utilities/moment.h>
 
 #include <array>
 #include <string>
@@ -23,14 +24,13 @@ namespace seiche
     double value = 0., first = 0., second = 0.;
   };
 
-  /// A way in which a tank may move: along a direction of space [m] or by an
+  /// A way in which a body may move: along a direction of space [m] or by an
   /// angle [rad]; a force is one [N] or a moment [N m], an inertia a mass [kg]
   /// or a moment of inertia [kg m^2], in 2D per metre.
   template <int dim>
-  struct TankDirection
+  struct BodyDirection
   {
-    static constexpr unsigned int n_angles = (dim == 2 ? 1 : 3);
-    static constexpr unsigned int n_all    = dim + n_angles;
+    static constexpr unsigned int n_all = dim + n_rotations<dim>;
 
     unsigned int number; ///< the coordinates, then the angles
 
@@ -51,21 +51,35 @@ namespace seiche
     const char *
     name() const;
 
-    /// Columns of results: its rate, and what the fluid does to it.
+    /// Columns of results: the displacement or angle of a body,
+    std::string
+    column_of_place(const std::string &body) const;
+
+    /// its rate, and what the fluid does to the body.
     std::array<std::string, 2>
-    columns() const;
+    columns(const std::string &body) const;
   };
 
-  /// The entries of "Tank motion" about a tank that the fluid moves.
+  /// prm entries of a body that the fluid moves: the tank, a solid.
   template <int dim>
-  struct TankBodyParameters
+  struct FreeBodyParameters
   {
+    std::string what      = "tank";        ///< as the manual calls it
+    std::string section   = "Tank motion"; ///< of the entries
+    std::string centre    = "Centre";      ///< entry: about what it turns
+    std::string of_weight = ", weight";    ///< among the loads, if it is one
     std::string free, inertia, load, start, start_rate;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /// Entries without effect; TankBody looks at the others.
+    std::string
+    path(const std::string &entry) const
+    {
+      return section + "/" + entry;
+    }
+
+    /// Entries without effect; FreeBody looks at the others.
     void
     check(const InputFile &input) const;
 
@@ -79,32 +93,32 @@ namespace seiche
     turns() const;
 
     /// InputError for what is none, or named twice.
-    std::vector<TankDirection<dim>>
+    std::vector<BodyDirection<dim>>
     directions(const InputFile &input) const;
   };
 
   /**
-   * @brief A tank that is free to move in some directions, beside what motion
-   * is given: in each the inertia times the acceleration is the load (springs,
-   * dampers, weight) and what the fluid does (doc/theory.md (8.8)).
+   * @brief A tank or solid that is free to move in some directions, beside what
+   * motion is given: in each the inertia times the acceleration is the load
+   * (springs, dampers, weight) and what the fluid does (doc/theory.md (8.8)).
    *
    * The acceleration is constant within a step; the load is that of the step's
    * mean place and rate.
    */
   template <int dim>
-  class TankBody
+  class FreeBody
   {
   public:
     /// @p input must outlive the object. InputError for entries that make no
     /// body up to @p end_time [s].
-    TankBody(const TankBodyParameters<dim> &parameters,
+    FreeBody(const FreeBodyParameters<dim> &parameters,
              const InputFile               &input,
              const double                   end_time);
 
     /// One free direction; columns of results have its numbers.
     struct Freedom
     {
-      TankDirection<dim> direction{0};
+      BodyDirection<dim> direction{0};
       double             place = 0., rate = 0.;            ///< at t_n
       double             acceleration = 0., previous = 0.; ///< in steps
       double             fluid = 0.; ///< force or moment of the fluid

@@ -2,8 +2,8 @@
 #include <seiche/parameters/input_file.h>
 #include <seiche/scene/entry_values.h>
 #include <seiche/scene/expression_text.h>
+#include <seiche/scene/free_body.h>
 #include <seiche/scene/sample_times.h>
-#include <seiche/scene/tank_body.h>
 #include <seiche/utilities/state_archive.h>
 
 #include <fmt/format.h>
@@ -17,9 +17,6 @@ namespace seiche
 
   namespace
   {
-    const char *const inertia_path = "Tank motion/Inertia";
-    const char *const load_path    = "Tank motion/Load";
-
     std::string
     no_loads(const std::size_t n)
     {
@@ -65,19 +62,19 @@ namespace seiche
 
     /// The free directions at the start.
     template <int dim>
-    std::vector<typename TankBody<dim>::Freedom>
-    make_freedoms(const TankBodyParameters<dim> &parameters,
+    std::vector<typename FreeBody<dim>::Freedom>
+    make_freedoms(const FreeBodyParameters<dim> &parameters,
                   const InputFile               &input)
     {
       const auto        directions = parameters.directions(input);
       const std::size_t n          = directions.size();
       const auto        places =
-        read_numbers<dim>(input, "Tank motion/Start", parameters.start, n);
+        read_numbers<dim>(input, parameters.path("Start"), parameters.start, n);
       const auto rates = read_numbers<dim>(input,
-                                           "Tank motion/Start rate",
+                                           parameters.path("Start rate"),
                                            parameters.start_rate,
                                            n);
-      std::vector<typename TankBody<dim>::Freedom> result(n);
+      std::vector<typename FreeBody<dim>::Freedom> result(n);
       for (std::size_t i = 0; i < n; ++i)
         {
           result[i].direction = directions[i];
@@ -85,16 +82,17 @@ namespace seiche
           result[i].rate      = rates[i];
         }
       input.require(!parameters.inertia.empty(),
-                    inertia_path,
-                    "the tank's mass, or moment of inertia, is needed in each "
-                    "direction of \"Free\".");
+                    parameters.path("Inertia"),
+                    "the " + parameters.what +
+                      "'s mass, or moment of inertia, is needed in each "
+                      "direction of \"Free\".");
       require_without(input,
-                      inertia_path,
+                      parameters.path("Inertia"),
                       parameters.inertia,
                       {"x", "y", "z"},
                       "an expression of t alone is needed.");
       require_without(input,
-                      load_path,
+                      parameters.path("Load"),
                       parameters.load,
                       {"z"},
                       "z does not exist here: x is the displacement or angle "
@@ -115,13 +113,16 @@ namespace seiche
   } // namespace
 
   template <int dim>
-  TankBody<dim>::TankBody(const TankBodyParameters<dim> &parameters,
+  FreeBody<dim>::FreeBody(const FreeBodyParameters<dim> &parameters,
                           const InputFile               &input,
                           const double                   end_time)
     : list(make_freedoms(parameters, input))
-    , inertias(input, inertia_path, parameters.inertia, list.size())
+    , inertias(input,
+               parameters.path("Inertia"),
+               parameters.inertia,
+               list.size())
     , loads(input,
-            load_path,
+            parameters.path("Load"),
             parameters.load.empty() ? no_loads(list.size()) : parameters.load,
             list.size(),
             state_of<dim>(list.front().place, list.front().rate))
@@ -129,14 +130,14 @@ namespace seiche
     for (const double t : sample_times(end_time))
       for (unsigned int i = 0; i < list.size(); ++i)
         input.require(inertias.value(Point<dim>(), t, i) > 0.,
-                      inertia_path,
+                      parameters.path("Inertia"),
                       "must be greater than zero at all times.");
     loads.check_until(end_time);
   }
 
   template <int dim>
   MotionJet
-  TankBody<dim>::jet(const unsigned int direction, const double time) const
+  FreeBody<dim>::jet(const unsigned int direction, const double time) const
   {
     for (const Freedom &freedom : list)
       if (freedom.direction.number == direction)
@@ -152,7 +153,7 @@ namespace seiche
 
   template <int dim>
   void
-  TankBody<dim>::begin(const double time, const double step)
+  FreeBody<dim>::begin(const double time, const double step)
   {
     start = time;
     size  = step;
@@ -163,7 +164,7 @@ namespace seiche
 
   template <int dim>
   void
-  TankBody<dim>::set_acceleration(const unsigned int freedom,
+  FreeBody<dim>::set_acceleration(const unsigned int freedom,
                                   const double       acceleration)
   {
     list[freedom].acceleration = acceleration;
@@ -172,14 +173,14 @@ namespace seiche
 
   template <int dim>
   double
-  TankBody<dim>::inertia(const unsigned int freedom) const
+  FreeBody<dim>::inertia(const unsigned int freedom) const
   {
     return inertias.value(Point<dim>(), start + 0.5 * size, freedom);
   }
 
   template <int dim>
   double
-  TankBody<dim>::load(const unsigned int freedom) const
+  FreeBody<dim>::load(const unsigned int freedom) const
   {
     const Freedom  &own = list[freedom];
     const MotionJet end = jet(own.direction.number, start + size);
@@ -191,7 +192,7 @@ namespace seiche
 
   template <int dim>
   void
-  TankBody<dim>::accept()
+  FreeBody<dim>::accept()
   {
     for (Freedom &freedom : list)
       {
@@ -207,7 +208,7 @@ namespace seiche
 
   template <int dim>
   void
-  TankBody<dim>::save_or_load(StateArchive &archive)
+  FreeBody<dim>::save_or_load(StateArchive &archive)
   {
     archive("time", start);
     for (Freedom &freedom : list)
@@ -221,6 +222,6 @@ namespace seiche
     ++changes;
   }
 
-  template class TankBody<2>;
-  template class TankBody<3>;
+  template class FreeBody<2>;
+  template class FreeBody<3>;
 } // namespace seiche

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/solve/solid_coupling.h>
+
+namespace seiche
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::vector<RigidMotion<dim> *>
+    free_motions(const std::vector<Solid<dim>> &solids)
+    {
+      std::vector<RigidMotion<dim> *> result;
+      for (const Solid<dim> &solid : solids)
+        if (solid.is_free())
+          result.push_back(solid.motion.get());
+      return result;
+    }
+  } // namespace
+
+  template <int dim>
+  SolidCoupling<dim>::SolidCoupling(const Occupancy<dim>      &grid_occupancy,
+                                    const WallConditions<dim> &conditions,
+                                    const BodyForce<dim>      &force,
+                                    const CellMaterials<dim>  &cell_materials,
+                                    const double               of_balance)
+    : BodyCoupling<dim>(free_motions(grid_occupancy.locator.solids),
+                        grid_occupancy,
+                        of_balance)
+    , wall_conditions(conditions)
+    , body_force(force)
+    , materials(cell_materials)
+  {
+    const auto &solids = grid_occupancy.locator.solids;
+    for (unsigned int s = 0; s < solids.size(); ++s)
+      if (solids[s].is_free())
+        solid_of_body.push_back(s);
+  }
+
+  template <int dim>
+  std::vector<typename SolidCoupling<dim>::AddedInertia>
+  SolidCoupling<dim>::added_inertias(const GridState<dim> &state) const
+  {
+    const auto &locator = occupancy.locator;
+    const auto &walls   = occupancy.mesh_nodes.cut_walls;
+    const auto &solids  = locator.solids;
+    // of what they displace: mass, and for each direction the inertia
+    const unsigned int  n = solids.size();
+    std::vector<double> sums(n + directions.size(), 0.);
+    const double        density = materials.largest().density;
+    for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
+      {
+        const double share = 1. - walls.wet_share(cell);
+        if (!(share > 0.))
+          continue;
+        const CellGeometry<dim> &geometry = locator.cells.geometry(cell);
+        const Point<dim>         x        = geometry.box().center();
+        const unsigned int solid = nearest_solid(solids, x) - solids.data();
+        const double       mass  = density * share * geometry.measure;
+        sums[solid] += mass;
+        for (unsigned int i = 0; i < directions.size(); ++i)
+          if (solid_of_body[directions[i].body] == solid)
+            {
+              Tensor<1, dim> arm = x - centre(directions[i], state);
+              if (dim == 3)
+                arm[directions[i].way.axis()] = 0.;
+              sums[n + i] +=
+                mass * (directions[i].way.is_angle() ? arm.norm_square() : 1.);
+            }
+      }
+    Utilities::MPI::sum(sums, state.mass.get_mpi_communicator(), sums);
+    std::vector<AddedInertia> result;
+    for (unsigned int i = 0; i < directions.size(); ++i)
+      result.push_back({sums[n + i], sums[solid_of_body[directions[i].body]]});
+    return result;
+  }
+
+  template <int dim>
+  Point<dim>
+  SolidCoupling<dim>::centre(const Direction      &direction,
+                             const GridState<dim> &state) const
+  {
+    const RigidMotion<dim> &motion = *direction.motion;
+    return motion.at(state.time + step.theta * state.dt).place(motion.centre);
+  }
+
+  template <int dim>
+  std::vector<double>
+  SolidCoupling<dim>::fluid_loads(const GridState<dim> &state) const
+  {
+    std::vector<double>     loads(directions.size(), 0.);
+    std::vector<Point<dim>> centres;
+    for (const Direction &direction : directions)
+      centres.push_back(centre(direction, state));
+    state.for_each_solid_reaction([&](const auto &reaction) {
+      for (unsigned int i = 0; i < loads.size(); ++i)
+        if (solid_of_body[directions[i].body] == reaction.solid)
+          {
+            const BodyDirection<dim> &way = directions[i].way;
+            loads[i] -= way.is_angle() ?
+                          moment(reaction.place - centres[i],
+                                 reaction.force)[way.number - dim] :
+                          reaction.force[way.number];
+          }
+    });
+    Utilities::MPI::sum(loads, state.mass.get_mpi_communicator(), loads);
+    return loads;
+  }
+
+  template <int dim>
+  double
+  SolidCoupling<dim>::further_load(const Direction      &direction,
+                                   const GridState<dim> &state) const
+  {
+    if (direction.way.is_angle()) // the centre is that of mass
+      return 0.;
+    return direction.motion->body()->inertia(direction.number) *
+           body_force.value(centre(direction, state),
+                            state.time +
+                              step.theta * state.dt)[direction.way.number];
+  }
+
+  template <int dim>
+  void
+  SolidCoupling<dim>::apply(GridState<dim> &state) const
+  {
+    wall_conditions.set_ways_of_solids(state, step.theta);
+  }
+
+  template class SolidCoupling<2>;
+  template class SolidCoupling<3>;
+} // namespace seiche
