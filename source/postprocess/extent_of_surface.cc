@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/postprocess/extent_of_surface.h>
+#include <seiche/postprocess/wall_names.h>
 #include <seiche/space/cut_cell.h>
 
 namespace seiche
@@ -131,17 +132,16 @@ namespace seiche
   void
   ExtentOfSurface<dim>::find_wet_places_of_solids()
   {
-    const auto        &solids = view.occupancy.mesh_nodes.cut_walls;
-    const unsigned int n_walls =
-      view.occupancy.locator.grid.parameters.walls.size();
+    const auto &solids = view.occupancy.mesh_nodes.cut_walls;
+    const auto &grid   = view.occupancy.locator.grid.parameters;
     if (!solids.exist())
       return;
     GridEvaluation<dim> here(view);
     for (const unsigned int cell : view.occupancy.cells.occupied())
       if (const auto *points = view.fill.wall(cell))
         for (const WallPoint<dim> &point : *points)
-          wet_places.push_back(
-            {n_walls + point.solid, moved_place(view, cell, point.unit, here)});
+          wet_places.push_back({place_of_solid(grid, point.solid),
+                                moved_place(view, cell, point.unit, here)});
     for (const MovedPiece<dim> &piece : pieces)
       if (solids.cuts(piece.cell))
         for (unsigned int v = 0; v < dim; ++v)
@@ -149,7 +149,8 @@ namespace seiche
               slack * view.occupancy.locator.cells.geometry(piece.cell)
                         .shortest_edge())
             wet_places.push_back(
-              {n_walls + solids.solid_near(piece.cell, piece.unit[v]),
+              {place_of_solid(grid,
+                              solids.solid_near(piece.cell, piece.unit[v])),
                piece.place[v]});
   }
 

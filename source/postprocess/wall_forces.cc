@@ -254,7 +254,7 @@ namespace seiche
           subtract(f, drag.node, drag.force);
     view.state.for_each_solid_reaction([&](const auto &reaction) {
       for (const unsigned int f :
-           forces_of_wall[grid.parameters.walls.size() + reaction.solid])
+           forces_of_wall[place_of_solid(grid.parameters, reaction.solid)])
         subtract_at(f, reaction.place, reaction.force);
     });
     sum_over_ranks(sums, view.points.communicator);

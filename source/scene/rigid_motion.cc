@@ -50,54 +50,7 @@ namespace seiche
               (d1 + s * (d2 + s * (d3 / 2. + s * d4 / 6.))) / h,
               (d2 + s * (d3 + s * d4 / 2.)) / (h * h)};
     }
-
-    template <int dim>
-    MatrixJet<dim>
-    operator*(const MatrixJet<dim> &a, const MatrixJet<dim> &b)
-    {
-      return {a.value * b.value,
-              a.first * b.value + a.value * b.first,
-              a.second * b.value + 2. * (a.first * b.first) +
-                a.value * b.second};
-    }
-
-    /// Turn by an angle about the axis (in 2D about z): I + sin E + (1 - cos)
-    /// E^2 with E v = axis x v (Rodrigues).
-    template <int dim>
-    MatrixJet<dim>
-    turn(const unsigned int axis, const MotionJet &angle)
-    {
-      const unsigned int i = dim == 2 ? 0 : (axis + 1) % dim,
-                         j = dim == 2 ? 1 : (axis + 2) % dim;
-      Tensor<2, dim> E;
-      E[j][i]                     = 1.;
-      E[i][j]                     = -1.;
-      const Tensor<2, dim> square = E * E;
-      const double         s = std::sin(angle.value), c = std::cos(angle.value);
-      MatrixJet<dim>       result;
-      // 1 - cos without cancellation
-      result.value = unit_symmetric_tensor<dim>();
-      result.value +=
-        s * E + 2. * std::pow(std::sin(0.5 * angle.value), 2) * square;
-      const Tensor<2, dim> slope     = c * E + s * square,
-                           curvature = c * square - s * E;
-      result.first                   = angle.first * slope;
-      result.second =
-        angle.second * slope + angle.first * angle.first * curvature;
-      return result;
-    }
   } // namespace
-
-  template <int dim>
-  MatrixJet<dim>
-  rotation_jet(const std::array<MotionJet, n_rotations<dim>> &angles)
-  {
-    MatrixJet<dim> R;
-    R.value = unit_symmetric_tensor<dim>();
-    for (unsigned int a = 0; a < angles.size(); ++a)
-      R = turn<dim>(a, angles[a]) * R;
-    return R;
-  }
 
   template <int dim>
   void
@@ -297,8 +250,6 @@ namespace seiche
   }
 
 #define INSTANTIATE(dim)                                     \
-  template MatrixJet<dim> rotation_jet<dim>(                 \
-    const std::array<MotionJet, n_rotations<dim>> &);        \
   template struct RigidMotionParameters<dim>;                \
   template class RigidMotion<dim>;                           \
   template RigidWay<dim> way_between(const Placement<dim> &, \

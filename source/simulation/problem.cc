@@ -150,7 +150,7 @@ namespace seiche
   {
     if (!grid_motion.any() && !any_moves(locator.solids))
       return;
-    if (grid_motion.any())
+    if (grid_motion.any()) // solids are at rest then: scene_check.cc
       locator.move(grid_motion, time);
     else
       locator.move_solids(time);

@@ -3,6 +3,7 @@
 #define seiche_postprocess_outermost_points_h
 
 #include <seiche/postprocess/extent.h>
+#include <seiche/postprocess/wall_names.h>
 
 #include <algorithm>
 #include <vector>
@@ -59,17 +60,17 @@ namespace seiche
     double
     wet_height(const unsigned int wall) const override
     {
-      const auto        &locator = view.occupancy.locator;
-      const auto        &solids  = view.occupancy.mesh_nodes.cut_walls;
-      const unsigned int n_walls = locator.grid.parameters.walls.size();
+      const auto &locator = view.occupancy.locator;
+      const auto &solids  = view.occupancy.mesh_nodes.cut_walls;
       return largest(dim - 1, 1., [&](const Entry &entry) {
-        if (wall >= n_walls)
-          return solids.cuts(entry.cell) &&
-                 n_walls + solids.solid_near(entry.cell,
-                                             locator.cells.geometry(entry.cell)
-                                               .to_unit(view.points.position(
-                                                 entry.point))) ==
-                   wall;
+        if (solids.cuts(entry.cell))
+          {
+            const auto unit = locator.cells.geometry(entry.cell)
+                                .to_unit(view.points.position(entry.point));
+            if (place_of_solid(locator.grid.parameters,
+                               solids.solid_near(entry.cell, unit)) == wall)
+              return true;
+          }
         for (const unsigned int face :
              dealii::GeometryInfo<dim>::face_indices())
           if (const Wall<dim> *const here =

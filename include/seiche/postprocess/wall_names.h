@@ -23,6 +23,14 @@ namespace seiche
     return names;
   }
 
+  /// Place of a solid among these names.
+  template <int dim>
+  unsigned int
+  place_of_solid(const GridParameters<dim> &grid, const unsigned int solid)
+  {
+    return grid.walls.size() + solid;
+  }
+
   /// InputError if the wall of that name, read at @p path, is a periodic side.
   template <int dim>
   void

@@ -28,9 +28,6 @@ namespace seiche
     dealii::Tensor<2, dim> value, first, second;
   };
 
-  template <int dim>
-  constexpr unsigned int n_angles = (dim == 2 ? 1 : 3);
-
   /// The turn by angles about the axes of space, one after the other: in 2D
   /// about z, in 3D about x, y, z.
   template <int dim>

@@ -79,9 +79,8 @@ namespace seiche
       return scene.grid.any_moving() || any_moves(locator.solids);
     }
 
-    /// Cells that sides of the domain or solids move by in a step that starts
-    /// at
-    /// @p time [s] and has size @p dt [s].
+    /// Cells that sides of the domain or solids move by in a step from @p time
+    /// [s] of size @p dt [s].
     double
     wall_way(const double time, const double dt) const;
 
