@@ -12,13 +12,7 @@ namespace seiche
   namespace
   {
     constexpr double fragment_below = 0.02; // share of a cell that is inside
-
-    double
-    rounded(const double fill)
-    {
-      return std::round(fill * 1e10) * 1e-10;
-    }
-  } // namespace
+  }                                         // namespace
 
   template <int dim>
   Fill<dim>::Fill(Occupancy<dim>      &grid_occupancy,

@@ -59,6 +59,7 @@ namespace seiche
   template <int dim>
   Surface<dim>::Surface(const Occupancy<dim> &grid_occupancy)
     : occupancy(grid_occupancy)
+    , level_at_walls(grid_occupancy)
   {}
 
   template <int dim>
@@ -81,9 +82,9 @@ namespace seiche
   Surface<dim>::set_level(const Vector &fill)
   {
     for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
-      level.local_element(i) = level_at(-distance(fill.local_element(i)));
+      level.local_element(i) = nonzero_level(-distance(fill.local_element(i)));
     level.update_ghost_values();
-    extend_into_solids();
+    level_at_walls.extend(level);
   }
 
   template <int dim>
@@ -96,7 +97,7 @@ namespace seiche
     for (unsigned int i = 0; i < n_corrections; ++i)
       {
         correct(fill);
-        extend_into_solids();
+        level_at_walls.extend(level);
         const bool is_last = i + 1 == n_corrections;
         cut_cells(/*at_walls=*/is_last);
         integrate(/*at_walls=*/is_last);
@@ -256,7 +257,7 @@ namespace seiche
           (1. + halved.local_element(i) / cells.local_element(i));
         const double change =
           (f - std::min(1., nodal_fill.local_element(i))) / slope;
-        d = level_at(std::clamp(
+        d = nonzero_level(std::clamp(
           d + std::clamp(change, -longest_correction, longest_correction),
           -1.,
           1.));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/mesh/solid_distance.h>
 #include <seiche/points/body_pieces.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace seiche
 {
@@ -142,9 +144,6 @@ namespace seiche
     , shape(*shapes[body])
     , per_direction(points_per_direction)
   {
-    for (const Solid<dim> &solid : cells.solids)
-      if (!apart(solid.shape->bounding_box(), shape.bounding_box()))
-        earlier.push_back(solid.shape.get());
     for (unsigned int b = 0; b < body; ++b)
       if (!apart(shapes[b]->bounding_box(), shape.bounding_box()))
         earlier.push_back(shapes[b]);
@@ -188,6 +187,9 @@ namespace seiche
       if (!apart(other->bounding_box(), box))
         others.push_back(other);
     // far from the surface one distance tells all
+    std::optional<SolidDistance<dim>> walls;
+    if (locator.cells.is_near_solid(cell))
+      walls.emplace(locator.solids, locator.cells.geometry(cell));
     const double distance =
       shape.bounds_distance() ? shape.distance(box.center()) : 0.;
     const auto corners = box.get_boundary_points();
@@ -199,11 +201,13 @@ namespace seiche
         fills_lattice ? std::numeric_limits<double>::lowest() : shape.level(x);
       for (const auto *other : others)
         result = std::max(result, -other->level(x));
+      if (walls)
+        result = std::max(result, -walls->value(x));
       return result;
     };
     if (apart(shape.bounding_box(), box) || (is_far && distance > 0.))
       lattice.n_all = 0;
-    if (lattice.n_all > 0 && (!fills_lattice || !others.empty()))
+    if (lattice.n_all > 0 && (!fills_lattice || !others.empty() || walls))
       result.parts =
         find_parts<dim>(level,
                         lattice,

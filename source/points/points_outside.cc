@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/mesh/solid_distance.h>
 #include <seiche/points/point_cloud.h>
 #include <seiche/utilities/exceptions.h>
 
@@ -47,40 +48,6 @@ namespace seiche
 
 
 
-  namespace
-  {
-    /// Distance from solids as the grid has it: that of a cell's vertices,
-    /// interpolated.
-    template <int dim>
-    struct GridDistance
-    {
-      double                 value = 0.; ///< [m]
-      dealii::Tensor<1, dim> gradient;
-
-      GridDistance(const std::vector<Solid<dim>> &solids,
-                   const CellGeometry<dim>       &cell,
-                   const dealii::Point<dim>      &place)
-      {
-        using Shape                   = dealii::GeometryInfo<dim>;
-        const dealii::Point<dim> unit = cell.to_unit(place);
-        for (const unsigned int v : Shape::vertex_indices())
-          {
-            const dealii::Point<dim> x =
-              cell.to_real(Shape::unit_cell_vertex(v));
-            const double distance =
-              nearest_solid(solids, x)->shape->distance(x);
-            value += distance * Shape::d_linear_shape_function(unit, v);
-            gradient +=
-              distance * Shape::d_linear_shape_function_gradient(unit, v);
-          }
-        for (unsigned int d = 0; d < dim; ++d)
-          gradient[d] /= cell.edges[d];
-      }
-    };
-  } // namespace
-
-
-
   template <int dim>
   bool
   PointCloud<dim>::put_out_of_solids(const std::size_t point)
@@ -105,13 +72,17 @@ namespace seiche
         const Solid<dim>        *solid    = nearest_solid(solids, here);
         if (solid->shape->distance(here) > geometry.edges.norm())
           break;
-        const GridDistance<dim> wall(solids, geometry, here);
-        const double            steepness = wall.gradient.norm();
-        if (!(wall.value < 0. && steepness > 0.))
+        const SolidDistance<dim> wall(solids, geometry);
+        const double             distance = wall.value(here);
+        if (!(distance < 0.))
           break;
-        const dealii::Tensor<1, dim> normal = wall.gradient / steepness;
-        const double                 way =
-          -wall.value / steepness +
+        dealii::Tensor<1, dim> normal    = wall.gradient(here);
+        const double           steepness = normal.norm();
+        if (!(steepness > 0.))
+          break;
+        normal /= steepness;
+        const double way =
+          -distance / steepness +
           (last == invalid ? 0. : beside * geometry.shortest_edge());
         double approach = -(normal * solid->velocity().at(here));
         for (unsigned int d = 0; d < dim; ++d)

@@ -133,6 +133,16 @@ namespace seiche
                       parameters.path("Inertia"),
                       "must be greater than zero at all times.");
     loads.check_until(end_time);
+    std::array<MotionJet, n_rotations<dim>> angles;
+    unsigned int                            n_angles = 0;
+    for (const Freedom &freedom : list)
+      if (freedom.direction.is_angle())
+        {
+          angles[freedom.direction.number - dim].value = freedom.place;
+          ++n_angles;
+        }
+    is_tumbling = n_angles > 1;
+    turned      = rotation_jet<dim>(angles).value;
   }
 
   template <int dim>
@@ -144,11 +154,74 @@ namespace seiche
         {
           const double dt = std::clamp(time - start, 0., size);
           const double a  = freedom.acceleration;
-          return {freedom.place + dt * (freedom.rate + 0.5 * dt * a),
+          const double start_place =
+            restarts_in_steps(freedom) ? 0. : freedom.place;
+          return {start_place + dt * (freedom.rate + 0.5 * dt * a),
                   freedom.rate + dt * a,
                   a};
         }
     return {};
+  }
+
+  template <int dim>
+  MatrixJet<dim>
+  FreeBody<dim>::turn_until(const double time) const
+  {
+    std::array<MotionJet, n_rotations<dim>> angles;
+    for (unsigned int a = 0; a < angles.size(); ++a)
+      angles[a] = jet(dim + a, time);
+    return rotation_jet<dim>(angles);
+  }
+
+  template <int dim>
+  Tensor<1, dim>
+  FreeBody<dim>::angular_momentum(const Tensor<2, dim> &R,
+                                  const Tensor<1, dim> &w) const
+  {
+    Tensor<1, dim> of_body = transpose(R) * w;
+    for (unsigned int i = 0; i < list.size(); ++i)
+      if (list[i].direction.is_angle())
+        of_body[list[i].direction.axis()] *= inertia(i);
+    return R * of_body;
+  }
+
+  template <int dim>
+  std::array<double, n_rotations<dim>>
+  FreeBody<dim>::angular_momentum_rate() const
+  {
+    std::array<double, n_rotations<dim>> result{};
+    if constexpr (dim == 3)
+      {
+        const MatrixJet<dim> turn = turn_until(start + size);
+        const auto     end_w = axial<dim>(turn.first * transpose(turn.value));
+        Tensor<1, dim> w_before, w_after;
+        for (const Freedom &freedom : list)
+          if (freedom.direction.is_angle())
+            w_before[freedom.direction.axis()] = freedom.rate;
+        for (unsigned int a = 0; a < dim; ++a)
+          w_after[a] = end_w[a];
+        const Tensor<1, dim> gain =
+          angular_momentum(turn.value * turned, w_after) -
+          angular_momentum(turned, w_before);
+        for (unsigned int a = 0; a < dim; ++a)
+          result[a] = gain[a] / size;
+      }
+    return result;
+  }
+
+  template <int dim>
+  void
+  FreeBody<dim>::set_turn(const Tensor<2, dim>                       &R,
+                          const std::array<double, n_rotations<dim>> &w)
+  {
+    turned            = R;
+    const auto angles = angles_of<dim>(R);
+    for (Freedom &freedom : list)
+      if (freedom.direction.is_angle())
+        {
+          freedom.place = angles[freedom.direction.number - dim];
+          freedom.rate  = w[freedom.direction.number - dim];
+        }
   }
 
   template <int dim>
@@ -184,7 +257,8 @@ namespace seiche
   {
     const Freedom  &own = list[freedom];
     const MotionJet end = jet(own.direction.number, start + size);
-    return loads.value(state_of<dim>(0.5 * (own.place + end.value),
+    const double gone   = end.value - (restarts_in_steps(own) ? 0. : own.place);
+    return loads.value(state_of<dim>(own.place + 0.5 * gone,
                                      0.5 * (own.rate + end.first)),
                        start + 0.5 * size,
                        freedom);
@@ -194,6 +268,7 @@ namespace seiche
   void
   FreeBody<dim>::accept()
   {
+    const MatrixJet<dim> turn = turn_until(start + size);
     for (Freedom &freedom : list)
       {
         const MotionJet end = jet(freedom.direction.number, start + size);
@@ -201,6 +276,9 @@ namespace seiche
         freedom.rate        = end.first;
         freedom.previous    = freedom.acceleration;
       }
+    if (is_tumbling)
+      set_turn(turn.value * turned,
+               axial<dim>(turn.first * transpose(turn.value)));
     start += size;
     size = 0.;
     ++changes;
@@ -218,7 +296,12 @@ namespace seiche
         archive("acceleration", freedom.acceleration);
         archive("previous acceleration", freedom.previous);
         archive("fluid", freedom.fluid);
+        archive("stop", freedom.stop);
       });
+    for (unsigned int i = 0; is_tumbling && i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        archive("turned " + std::to_string(i) + std::to_string(j),
+                turned[i][j]);
     ++changes;
   }
 

@@ -65,6 +65,17 @@ namespace seiche
   }
 
   template <int dim>
+  std::string
+  BodyDirection<dim>::column_of_stop(const std::string &body) const
+  {
+    if (!is_angle())
+      return fmt::format("stop force on {} {} [N]", body, name());
+    return fmt::format("stop moment on {}{} [N m]",
+                       body,
+                       dim == 2 ? "" : std::string(" ") + name());
+  }
+
+  template <int dim>
   void
   FreeBodyParameters<dim>::add_parameters(ParameterHandler &prm)
   {
@@ -74,7 +85,10 @@ namespace seiche
                       "Directions in which the fluid moves the " + what +
                         ", beside the motion that is given: any of " +
                         names_of_directions<dim>() +
-                        (dim == 2 ? "" : ", one angle at most") +
+                        (dim == 2   ? "" :
+                         may_tumble ? ", one angle or all three, then with "
+                                      "rates about the axes of space" :
+                                      ", one angle at most") +
                         ", separated by commas. A " + what +
                         " that may turn and be displaced has its centre of "
                         "mass at " +
@@ -148,11 +162,12 @@ namespace seiche
         n_angles += direction.is_angle();
         result.push_back(direction);
       }
-    input.require(n_angles <= 1,
+    input.require(n_angles <= 1 || (may_tumble && n_angles == n_rotations<dim>),
                   path("Free"),
                   "a " + what +
                     " that turns freely about two axes is not possible; "
-                    "name one angle.");
+                    "name one angle" +
+                    (may_tumble ? ", or all three." : "."));
     return result;
   }
 

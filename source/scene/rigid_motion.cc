@@ -198,7 +198,32 @@ namespace seiche
     std::array<MotionJet, n_rotations<dim>> angles;
     for (unsigned int a = 0; a < angles.size(); ++a)
       angles[a] = jet(dim + a, time);
-    return rotation_jet<dim>(angles);
+    MatrixJet<dim> R = rotation_jet<dim>(angles);
+    if (free_body && free_body->tumbles())
+      for (Tensor<2, dim> *matrix : {&R.value, &R.first, &R.second})
+        *matrix = *matrix * free_body->orientation();
+    return R;
+  }
+
+  template <int dim>
+  double
+  RigidMotion<dim>::place(const unsigned int direction, const double time) const
+  {
+    return direction >= dim && free_body && free_body->tumbles() ?
+             angles_of<dim>(rotation_at(time).value)[direction - dim] :
+             jet(direction, time).value;
+  }
+
+  template <int dim>
+  double
+  RigidMotion<dim>::momentum_rate(const unsigned int freedom,
+                                  const double       middle) const
+  {
+    const BodyDirection<dim> direction =
+      free_body->freedoms()[freedom].direction;
+    return direction.is_angle() && free_body->tumbles() ?
+             free_body->angular_momentum_rate()[direction.number - dim] :
+             free_body->inertia(freedom) * jet(direction.number, middle).second;
   }
 
   template <int dim>

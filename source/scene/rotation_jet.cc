@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/scene/rigid_motion.h>
+#include <seiche/scene/rotation_jet.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <algorithm>
 #include <cmath>
 
 // Turns about the axes of space and their derivatives.
@@ -58,8 +61,38 @@ namespace seiche
     return R;
   }
 
+  template <int dim>
+  std::array<double, n_rotations<dim>>
+  angles_of(const Tensor<2, dim> &R)
+  {
+    if constexpr (dim == 2)
+      return {{std::atan2(R[1][0], R[0][0])}};
+    else // R = R_z R_y R_x
+      return {{std::atan2(R[2][1], R[2][2]),
+               -std::asin(std::clamp(R[2][0], -1., 1.)),
+               std::atan2(R[1][0], R[0][0])}};
+  }
+
+  template <int dim>
+  std::array<double, n_rotations<dim>>
+  axial(const Tensor<2, dim> &skew)
+  {
+    if constexpr (dim == 2)
+      return {{skew[1][0]}};
+    else
+      return {{skew[2][1], skew[0][2], skew[1][0]}};
+  }
+
   template MatrixJet<2>
   rotation_jet<2>(const std::array<MotionJet, n_rotations<2>> &);
   template MatrixJet<3>
   rotation_jet<3>(const std::array<MotionJet, n_rotations<3>> &);
+  template std::array<double, 1>
+  angles_of<2>(const Tensor<2, 2> &);
+  template std::array<double, 3>
+  angles_of<3>(const Tensor<2, 3> &);
+  template std::array<double, 1>
+  axial<2>(const Tensor<2, 2> &);
+  template std::array<double, 3>
+  axial<3>(const Tensor<2, 3> &);
 } // namespace seiche

@@ -43,6 +43,19 @@ namespace seiche
       prm,
       "Where the solid has gone from its place at t = 0: one expression of t "
       "per direction, separated by \";\"; empty: nowhere. [m]");
+    prm.add_parameter(
+      "Stop distance",
+      stop_distance,
+      "Distance from other solids and walls at which a solid "
+      "that the fluid moves is stopped, for fluid between them "
+      "is seen while it is about a cell thick; 0: 1.5 diagonals "
+      "of the cells there. [m]",
+      Patterns::Double(0.));
+    prm.add_parameter("Restitution",
+                      restitution,
+                      "Rate at which it leaves again, over that at which it "
+                      "came, before the fluid takes part. [-]",
+                      Patterns::Double(0., 1.));
     prm.leave_subsection();
   }
 
@@ -58,6 +71,10 @@ namespace seiche
     input.read_only_if(condition == "slip",
                        section() + "/Friction",
                        "Condition = slip");
+    for (const char *const entry : {"/Stop distance", "/Restitution"})
+      input.read_only_if(motion.body.any(),
+                         section() + entry,
+                         section() + "/Free");
     if (condition == "no-slip")
       input.cites("juntunen2009");
     if (friction > 0.)
@@ -87,6 +104,8 @@ namespace seiche
           solid.slip_length = parameters.slip_length;
         else
           solid.friction = parameters.friction;
+        solid.stop_distance = parameters.stop_distance;
+        solid.restitution   = parameters.restitution;
         if (parameters.motion.any())
           solid.motion = std::make_shared<RigidMotion<dim>>(
             parameters.motion, input, domain, end_time, step);

@@ -155,6 +155,8 @@ namespace seiche
           for (unsigned int d = 0; d < BodyDirection<dim>::n_all; ++d)
             names.push_back(BodyDirection<dim>{d}.column_of_place(solid.name));
           add_columns(solid.motion, solid.name);
+          for (const auto direction : solid.motion.body.directions(input))
+            names.push_back(direction.column_of_stop(solid.name));
         }
     const auto account = PointControl<dim>::account_names(point_control);
     names.insert(names.end(), account.begin(), account.end());

@@ -122,9 +122,13 @@ namespace seiche
         {
           values.push_back(step == 0 ? 0. : work_of_solids[s]);
           for (unsigned int d = 0; d < BodyDirection<dim>::n_all; ++d)
-            values.push_back(solid.motion->jet(d, time).value);
+            values.push_back(solid.motion->place(d, time));
           if (solid.is_free())
-            add_freedoms(*solid.motion, time, values);
+            {
+              add_freedoms(*solid.motion, time, values);
+              for (const auto &freedom : solid.motion->body()->freedoms())
+                values.push_back(freedom.stop);
+            }
         }
     for (const auto &change : problem.point_control.account())
       values.push_back(change.second);

@@ -48,6 +48,7 @@ namespace seiche
         arms.push_back(added.mass > 0. ? std::sqrt(added.inertia / added.mass) :
                                          0.);
       }
+    stops.begin(find_stops(state), state.dt, directions.size());
     misfit_before = 0.;
     n_corrections = 0;
     if (!matrix_serves)
@@ -80,19 +81,32 @@ namespace seiche
         FreeBody<dim>   &body      = direction.motion->body_to_move();
         const double     middle    = state.time + 0.5 * state.dt;
         const double     inertia =
-          body.inertia(direction.number) *
-          direction.motion->jet(direction.way.number, middle).second;
+          direction.motion->momentum_rate(direction.number, middle);
         const double load =
           body.load(direction.number) + further_load(direction, state);
-        imbalance(i) = inertia - load - fluid[i];
-        const double terms =
-          std::abs(inertia) + std::abs(load) + std::abs(fluid[i]);
+        imbalance(i)       = inertia - load - fluid[i];
+        const double stop  = stops.forces()(i);
+        const double terms = std::abs(inertia) + std::abs(load) +
+                             std::abs(fluid[i]) + std::abs(stop);
         const double allowed = tolerance * terms + arms[i] * fluid_residual;
         if (allowed > 0.)
-          misfit = std::max(misfit, std::abs(imbalance(i)) / allowed);
-        body.set_fluid_load(direction.number, fluid[i]);
+          misfit = std::max(misfit, std::abs(imbalance(i) - stop) / allowed);
+        body.set_loads(direction.number, fluid[i], stop);
       }
+    if (stops.are_violated(accelerations()))
+      misfit = std::max(misfit, 2. * clear_misfit);
     return misfit;
+  }
+
+  template <int dim>
+  std::vector<double>
+  BodyCoupling<dim>::accelerations() const
+  {
+    std::vector<double> result;
+    for (const Direction &direction : directions)
+      result.push_back(
+        direction.motion->body()->freedoms()[direction.number].acceleration);
+    return result;
   }
 
   template <int dim>
@@ -118,8 +132,11 @@ namespace seiche
         reset_matrix();
         inverse.invert(matrix);
       }
-    inverse.vmult(correction, imbalance);
-    correction *= -1.;
+    Vector<double> load(imbalance);
+    load *= -1.;
+    stops.solve(inverse, load, accelerations());
+    load += stops.forces();
+    inverse.vmult(correction, load);
     for (unsigned int i = 0; i < n; ++i)
       {
         FreeBody<dim>     &body   = directions[i].motion->body_to_move();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/solve/solid_coupling.h>
+#include <seiche/solve/solid_stops.h>
 
 namespace seiche
 {
@@ -106,6 +107,61 @@ namespace seiche
     });
     Utilities::MPI::sum(loads, state.mass.get_mpi_communicator(), loads);
     return loads;
+  }
+
+  template <int dim>
+  double
+  SolidCoupling<dim>::way_of(const Direction      &direction,
+                             const Point<dim>     &place,
+                             const Tensor<1, dim> &normal,
+                             const double          time) const
+  {
+    const BodyDirection<dim> &way = direction.way;
+    if (!way.is_angle())
+      return normal[way.number];
+    const RigidMotion<dim> &motion = *direction.motion;
+    // a unit of it turns the place by its moment about the axis
+    return moment(Tensor<1, dim>(place - motion.at(time).place(motion.centre)),
+                  normal)[way.number - dim];
+  }
+
+  template <int dim>
+  std::vector<BodyStop>
+  SolidCoupling<dim>::find_stops(const GridState<dim> &state) const
+  {
+    const auto           &solids = occupancy.locator.solids;
+    std::vector<BodyStop> result;
+    for (const SolidNearby<dim> &nearby :
+         solids_nearby(occupancy, state.time, state.dt))
+      {
+        const bool at_wall      = nearby.other == numbers::invalid_unsigned_int;
+        const Tensor<1, dim> &n = nearby.normal;
+        BodyStop              stop;
+        double                restitution = solids[nearby.solid].restitution;
+        stop.rate = n * solids[nearby.solid].velocity().at(nearby.place);
+        if (at_wall)
+          stop.rate -= n * nearby.velocity_of_wall;
+        else
+          {
+            stop.rate -= n * solids[nearby.other].velocity().at(nearby.place);
+            restitution =
+              std::max(restitution, solids[nearby.other].restitution);
+          }
+        stop.least = -restitution * std::min(0., stop.rate);
+        for (const Direction &direction : directions)
+          {
+            const unsigned int solid = solid_of_body[direction.body];
+            const double       sign  = solid == nearby.solid ? 1. :
+                                       solid == nearby.other ? -1. :
+                                                               0.;
+            stop.way.push_back(
+              sign == 0. ?
+                0. :
+                sign * way_of(direction, nearby.place, n, state.time));
+          }
+        result.push_back(std::move(stop));
+      }
+    return result;
   }
 
   template <int dim>

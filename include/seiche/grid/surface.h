@@ -2,8 +2,8 @@
 #ifndef seiche_grid_surface_h
 #define seiche_grid_surface_h
 
+#include <seiche/grid/level_at_walls.h>
 #include <seiche/space/cut_cell.h>
-#include <seiche/space/occupancy.h>
 
 #include <vector>
 
@@ -106,17 +106,8 @@ namespace seiche
     void
     correct(const Vector &nodal_fill);
 
-    /// Own nodes whose hat is mostly within solids (surface_at_walls.cc).
-    void
-    find_wall_nodes();
-
-    /// The level set at those whose hat is mostly dry, from that of their
-    /// neighbours. Collective.
-    void
-    extend_into_solids();
-
     /// Nodal fill of whole hats from that of their wet part: the level set
-    /// continues the fluid into solids. Collective.
+    /// continues the fluid into solids (surface_at_walls.cc). Collective.
     Vector
     continued_fill(const Vector &wet_fill);
 
@@ -140,21 +131,6 @@ namespace seiche
       const double whole = whole_volume(node);
       return whole > 0. ? occupancy.nodes.volume(node) / whole : 1.;
     }
-
-    /// The level set is never zero: that is outside.
-    static double
-    level_at(const double value)
-    {
-      constexpr double on_surface = 1e-12;
-      return value == 0. ? on_surface : value;
-    }
-
-    struct WallNode
-    {
-      unsigned int node;
-      /// Own and ghost cells at it, and which of their vertices it is.
-      std::vector<std::pair<unsigned int, unsigned int>> corners;
-    };
 
     template <typename Action>
     void
@@ -194,7 +170,7 @@ namespace seiche
     std::vector<unsigned int> rule_of_cell; // of rules, or of wet_parts
     std::vector<Rule>         rules;
     std::vector<WetPart<dim>> wet_parts;
-    std::vector<WallNode>     wall_nodes;
+    LevelAtWalls<dim>         level_at_walls;
   };
 } // namespace seiche
 

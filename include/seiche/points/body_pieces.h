@@ -13,8 +13,8 @@ namespace seiche
 {
   /**
    * @brief What a fluid body has of the lattice of places for its points: one
-   * piece per place, without what belongs to solids or earlier bodies
-   * (doc/theory.md (5.2)).
+   * piece per place, without what belongs to earlier bodies or to solids, as
+   * the grid has them (doc/theory.md (5.2)).
    *
    * A light piece is joined to the one across the face towards which its
    * centre lies, so that hardly any point is light. Volumes add up to that of
@@ -125,7 +125,7 @@ namespace seiche
 
     const CellLocator<dim>                    &locator;
     const Shape<dim>                          &shape;
-    std::vector<const Shape<dim> *>            earlier; ///< and solids
+    std::vector<const Shape<dim> *>            earlier;
     const unsigned int                         per_direction;
     std::unordered_map<std::uint64_t, Content> contents;
   };

@@ -3,7 +3,7 @@
 #define seiche_scene_free_body_h
 
 #include <seiche/scene/expression.h>
-#include <seiche/utilities/moment.h>
+#include <seiche/scene/rotation_jet.h>
 
 #include <array>
 #include <string>
@@ -17,12 +17,6 @@ namespace dealii
 namespace seiche
 {
   class StateArchive;
-
-  /// A function of time and its first two derivatives.
-  struct MotionJet
-  {
-    double value = 0., first = 0., second = 0.;
-  };
 
   /// A way in which a body may move: along a direction of space [m] or by an
   /// angle [rad]; a force is one [N] or a moment [N m], an inertia a mass [kg]
@@ -55,19 +49,24 @@ namespace seiche
     std::string
     column_of_place(const std::string &body) const;
 
-    /// its rate, and what the fluid does to the body.
+    /// its rate, and what the fluid does to the body,
     std::array<std::string, 2>
     columns(const std::string &body) const;
+
+    /// what stops do.
+    std::string
+    column_of_stop(const std::string &body) const;
   };
 
   /// prm entries of a body that the fluid moves: the tank, a solid.
   template <int dim>
   struct FreeBodyParameters
   {
-    std::string what      = "tank";        ///< as the manual calls it
-    std::string section   = "Tank motion"; ///< of the entries
-    std::string centre    = "Centre";      ///< entry: about what it turns
-    std::string of_weight = ", weight";    ///< among the loads, if it is one
+    std::string what       = "tank";        ///< as the manual calls it
+    std::string section    = "Tank motion"; ///< of the entries
+    std::string centre     = "Centre";      ///< entry: about what it turns
+    std::string of_weight  = ", weight";    ///< among the loads, if it is one
+    bool        may_tumble = false;         ///< turn about all axes
     std::string free, inertia, load, start, start_rate;
 
     void
@@ -103,7 +102,10 @@ namespace seiche
    * (springs, dampers, weight) and what the fluid does (doc/theory.md (8.8)).
    *
    * The acceleration is constant within a step; the load is that of the step's
-   * mean place and rate.
+   * mean place and rate. A body that turns about all axes of space tumbles: its
+   * angles are those since the start of a step, about the axes of space, and
+   * its angular momentum L = R J R^T w grows by the moments, J its inertia at
+   * the start of the run, R how it has turned since.
    */
   template <int dim>
   class FreeBody
@@ -119,9 +121,12 @@ namespace seiche
     struct Freedom
     {
       BodyDirection<dim> direction{0};
-      double             place = 0., rate = 0.;            ///< at t_n
-      double             acceleration = 0., previous = 0.; ///< in steps
-      double             fluid = 0.; ///< force or moment of the fluid
+      double             place = 0., rate = 0.; ///< at t_n; of
+                                                ///< one that tumbles
+                                                ///< w_i
+      double acceleration = 0., previous = 0.;  ///< in steps
+      double fluid = 0.; ///< force or moment of the fluid
+      double stop  = 0.; ///< of stops
     };
 
     const std::vector<Freedom> &
@@ -130,7 +135,22 @@ namespace seiche
       return list;
     }
 
+    /// True if it turns about all axes of space.
+    bool
+    tumbles() const
+    {
+      return is_tumbling;
+    }
+
+    /// How it has turned until the step, if it tumbles.
+    const dealii::Tensor<2, dim> &
+    orientation() const
+    {
+      return turned;
+    }
+
     /// How it moves beside the given motion; at the end of the step beyond it.
+    /// Angles of a body that tumbles start in each step.
     MotionJet
     jet(const unsigned int direction, const double time) const;
 
@@ -142,6 +162,11 @@ namespace seiche
     void
     set_acceleration(const unsigned int freedom, const double acceleration);
 
+    /// Of one that tumbles: what its angular momentum gains in a second of the
+    /// step, by axes of space [N m].
+    std::array<double, n_rotations<dim>>
+    angular_momentum_rate() const;
+
     /// Inertia and load in the middle of the step.
     double
     inertia(const unsigned int freedom) const;
@@ -149,9 +174,10 @@ namespace seiche
     load(const unsigned int freedom) const;
 
     void
-    set_fluid_load(const unsigned int freedom, const double force)
+    set_loads(const unsigned int freedom, const double fluid, const double stop)
     {
-      list[freedom].fluid = force;
+      list[freedom].fluid = fluid;
+      list[freedom].stop  = stop;
     }
 
     /// The step is done.
@@ -169,10 +195,32 @@ namespace seiche
     save_or_load(StateArchive &archive);
 
   private:
-    std::vector<Freedom> list;
-    Expression<dim>      inertias, loads;
-    double               start = 0., size = 0.; ///< of the step [s]
-    unsigned int         changes = 0;
+    bool
+    restarts_in_steps(const Freedom &freedom) const
+    {
+      return is_tumbling && freedom.direction.is_angle();
+    }
+
+    /// How it turns in the step until a time, by jet().
+    MatrixJet<dim>
+    turn_until(const double time) const;
+
+    /// R J R^T w, by axes of space [N m s].
+    dealii::Tensor<1, dim>
+    angular_momentum(const dealii::Tensor<2, dim> &R,
+                     const dealii::Tensor<1, dim> &w) const;
+
+    /// Angles and rates for how it has turned, and w.
+    void
+    set_turn(const dealii::Tensor<2, dim>               &R,
+             const std::array<double, n_rotations<dim>> &w);
+
+    std::vector<Freedom>   list;
+    Expression<dim>        inertias, loads;
+    bool                   is_tumbling = false;
+    dealii::Tensor<2, dim> turned;                ///< until t_n
+    double                 start = 0., size = 0.; ///< of the step [s]
+    unsigned int           changes = 0;
   };
 } // namespace seiche
 

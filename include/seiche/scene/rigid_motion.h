@@ -4,7 +4,6 @@
 
 #include <seiche/scene/free_body.h>
 #include <seiche/shapes/composed_shapes.h>
-#include <seiche/utilities/moment.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/tensor.h>
@@ -21,19 +20,6 @@ namespace dealii
 
 namespace seiche
 {
-  /// A matrix that depends on time and its first two derivatives.
-  template <int dim>
-  struct MatrixJet
-  {
-    dealii::Tensor<2, dim> value, first, second;
-  };
-
-  /// The turn by angles about the axes of space, one after the other: in 2D
-  /// about z, in 3D about x, y, z.
-  template <int dim>
-  MatrixJet<dim>
-  rotation_jet(const std::array<MotionJet, n_rotations<dim>> &angles);
-
   /// prm entries of a motion that is given or free.
   template <int dim>
   struct RigidMotionParameters
@@ -142,9 +128,19 @@ namespace seiche
       return *free_body;
     }
 
-    /// In a direction of BodyDirection at a time of the run [s].
+    /// In a direction of BodyDirection at a time of the run [s]; angles of a
+    /// body that tumbles are those since the start of the step.
     MotionJet
     jet(const unsigned int direction, const double time) const;
+
+    /// Displacement [m] or angle [rad] since the start of the run.
+    double
+    place(const unsigned int direction, const double time) const;
+
+    /// Of a free body: rate at which its momentum grows along a freedom in the
+    /// step of which @p middle [s] is the middle [N, N m].
+    double
+    momentum_rate(const unsigned int freedom, const double middle) const;
 
     /// At a time of the run [s].
     Placement<dim>

@@ -25,6 +25,11 @@ namespace seiche
     /// Of Navier's law, zero if the fluid sticks, infinite if it slips [m].
     double slip_length = std::numeric_limits<double>::infinity();
 
+    /// Of a free one from others and from walls, at which it is stopped; zero:
+    /// as small as the cells allow [m].
+    double stop_distance = 0.;
+    double restitution   = 0.; ///< rate after over before a stop [-]
+
     std::shared_ptr<RigidMotion<dim>> motion; ///< null: at rest
     SharedShape<dim>                  shape_at_start;
     double                            time = 0.; ///< of the place [s]
@@ -92,21 +97,24 @@ namespace seiche
       : name(solid_name)
       , shape(std::string(kind) + " " + solid_name)
     {
-      motion.names          = {"Motion displacement",
-                               "Motion rotation",
-                               "Motion centre"};
-      motion.body.what      = "solid";
-      motion.body.section   = section();
-      motion.body.centre    = motion.names.centre;
-      motion.body.of_weight = "; its weight by Body force is added";
+      motion.names           = {"Motion displacement",
+                                "Motion rotation",
+                                "Motion centre"};
+      motion.body.what       = "solid";
+      motion.body.section    = section();
+      motion.body.centre     = motion.names.centre;
+      motion.body.may_tumble = true;
+      motion.body.of_weight  = "; its weight by Body force is added";
     }
 
     std::string                name;
     ShapeParameters<dim>       shape;
-    std::string                side        = "outside";
-    std::string                condition   = "slip";
-    double                     slip_length = 0.; // [m]
-    double                     friction    = 0.;
+    std::string                side          = "outside";
+    std::string                condition     = "slip";
+    double                     slip_length   = 0.; // [m]
+    double                     friction      = 0.;
+    double                     stop_distance = 0.; // [m]
+    double                     restitution   = 0.;
     RigidMotionParameters<dim> motion;
 
     std::string

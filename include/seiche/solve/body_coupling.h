@@ -5,9 +5,7 @@
 #include <seiche/grid/grid_state.h>
 #include <seiche/grid/time_scheme.h>
 #include <seiche/scene/rigid_motion.h>
-
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
+#include <seiche/solve/body_stops.h>
 
 namespace seiche
 {
@@ -97,6 +95,14 @@ namespace seiche
     virtual std::vector<double>
     fluid_loads(const GridState<dim> &state) const = 0;
 
+    /// Where bodies must not come nearer to something. Collective.
+    virtual std::vector<BodyStop>
+    find_stops(const GridState<dim> &state) const
+    {
+      (void)state;
+      return {};
+    }
+
     /// What acts beside it and the body's own load.
     virtual double
     further_load(const Direction &direction, const GridState<dim> &state) const
@@ -128,11 +134,15 @@ namespace seiche
     void
     update_matrix(const dealii::Vector<double> &imbalance);
 
-    /// Of the bodies; what of it is allowed at most, over one.
+    /// Of the bodies, without stops; what of it is allowed at most with them,
+    /// over one.
     double
     find_imbalance(const GridState<dim>   &state,
                    const double            fluid_residual,
                    dealii::Vector<double> &imbalance);
+
+    std::vector<double>
+    accelerations() const;
 
     const std::vector<RigidMotion<dim> *> motions;
     const double                          tolerance;
@@ -141,6 +151,7 @@ namespace seiche
     bool matrix_serves = false; ///< the last attempt ended in balance
 
     // of this attempt
+    BodyStops              stops;
     std::vector<double>    inertias; ///< that the fluid may add
     std::vector<double>    arms; ///< 1, of an angle the radius of gyration [m]
     dealii::Vector<double> correction, imbalance_before;

@@ -37,12 +37,22 @@ namespace seiche
     std::vector<double>
     fluid_loads(const GridState<dim> &state) const override;
 
+    std::vector<BodyStop>
+    find_stops(const GridState<dim> &state) const override;
+
     double
     further_load(const Direction      &direction,
                  const GridState<dim> &state) const override;
 
     void
     apply(GridState<dim> &state) const override;
+
+    /// Rate of a solid's place along a normal, of a free direction's rate.
+    double
+    way_of(const Direction              &direction,
+           const dealii::Point<dim>     &place,
+           const dealii::Tensor<1, dim> &normal,
+           const double                  time) const;
 
     /// About what a body turns in the configuration of the forces.
     dealii::Point<dim>

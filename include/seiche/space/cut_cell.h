@@ -8,6 +8,14 @@
 
 namespace seiche
 {
+  /// A level set is never zero: that is outside.
+  inline double
+  nonzero_level(const double value)
+  {
+    constexpr double on_surface = 1e-12;
+    return value == 0. ? on_surface : value;
+  }
+
   /// Integrals of 1, x and x x^T over a part of the unit cell.
   template <int dim>
   struct Moments

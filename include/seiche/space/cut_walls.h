@@ -13,15 +13,21 @@ namespace seiche
   template <int dim>
   class MeshNodes;
 
-  /// A level set in cells without its last digits: parts of cells are the same
-  /// on any number of ranks.
+  /// A level set or fill without its last digits: classes and parts of cells
+  /// are the same on any number of ranks.
+  inline double
+  rounded(const double value)
+  {
+    return std::round(value * 1e10) * 1e-10;
+  }
+
   template <int dim>
   VertexValues<dim>
-  rounded(VertexValues<dim> level)
+  rounded(VertexValues<dim> levels)
   {
-    for (double &value : level)
-      value = std::round(value * 1e10) * 1e-10;
-    return level;
+    for (double &level : levels)
+      level = rounded(level);
+    return levels;
   }
 
   /**

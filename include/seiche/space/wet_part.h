@@ -29,7 +29,7 @@ namespace seiche
     unsigned int solid = 0;      ///< the nearest (GridParameters::solids)
     /// Unit vector out of the fluid, that of the solid itself: the grid's walls
     /// are chords.
-    dealii::Tensor<1, dim> normal;
+    dealii::Tensor<1, dim> normal = {};
   };
 
   /// What a solid does to the fluid at a point of its wall.

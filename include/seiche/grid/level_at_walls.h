@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef seiche_grid_level_at_walls_h
+#define seiche_grid_level_at_walls_h
+
+#include <seiche/space/occupancy.h>
+
+#include <vector>
+
+namespace seiche
+{
+  /**
+   * @brief The level set at nodes of cells that walls of solids cut, from that
+   * of their neighbours (doc/theory.md, section 8): the fill says little where
+   * hardly any of the node's hat is wet.
+   *
+   * Nodes beside known ones become known, the wettest first. Who follows from
+   * whom depends on the walls alone and is found once.
+   */
+  template <int dim>
+  class LevelAtWalls
+  {
+  public:
+    using Vector = typename Occupancy<dim>::Vector;
+
+    /// @p occupancy must outlive the object.
+    explicit LevelAtWalls(const Occupancy<dim> &occupancy);
+
+    /// For walls that leave these shares of the nodes' hats; own and ghost
+    /// nodes. Collective.
+    void
+    reinit(const Vector &wet_shares);
+
+    /// Replace the level set [cells] at nodes that are mostly dry; own and
+    /// ghost nodes. Collective.
+    void
+    extend(Vector &level) const;
+
+  private:
+    /// A vertex of an own or ghost cell.
+    struct Corner
+    {
+      unsigned int cell, vertex;
+    };
+
+    /// A node beside another one.
+    struct Neighbor
+    {
+      dealii::Tensor<1, dim> way; ///< to it [cells]
+      Corner                 corner;
+      unsigned int           node; ///< none: it hangs, or is seen through C
+    };
+
+    /// A node and those its level set follows from.
+    struct Follower
+    {
+      unsigned int          node;
+      std::vector<Neighbor> neighbors;
+    };
+
+    struct DryNode
+    {
+      unsigned int        node;
+      std::vector<Corner> corners; ///< that it is
+    };
+
+    std::vector<DryNode>
+    dry_nodes(const Vector &wet_shares) const;
+
+    /// What a node that is not known yet may follow from now; nothing while a
+    /// wetter one beside it is not known either.
+    std::vector<Neighbor>
+    known_neighbors(const DryNode &node,
+                    const Vector  &wet_shares,
+                    const Vector  &is_unknown) const;
+
+    double
+    level_of(const Neighbor &neighbor, const Vector &level) const;
+
+    const Occupancy<dim>              &occupancy;
+    std::vector<std::vector<Follower>> rounds; ///< as many on all ranks
+  };
+} // namespace seiche
+
+#endif
