@@ -43,6 +43,17 @@ namespace seiche
       walls.patches.push_back(patch);
     }
 
+    /// Negative in the fluid, zero at a wall: one along grid lines has its
+    /// pieces in the cells of the fluid.
+    template <int dim>
+    VertexValues<dim>
+    level_of_fluid(VertexValues<dim> distance)
+    {
+      for (double &value : distance)
+        value = -value;
+      return distance;
+    }
+
     /// The walls of solids in own cells, on this rank: triangles as quads.
     template <int dim>
     void
@@ -55,7 +66,7 @@ namespace seiche
            ++cell)
         if (solids.cuts(cell))
           for (const SurfacePiece<dim> &piece :
-               surface_pieces<dim>(solids.distance(cell)))
+               surface_pieces<dim>(level_of_fluid<dim>(solids.distance(cell))))
             {
               DataOutBase::Patch<dim - 1, dim> patch;
               patch.patch_index    = walls.patches.size();

@@ -93,7 +93,7 @@ namespace seiche
           misfit = std::max(misfit, std::abs(imbalance(i) - stop) / allowed);
         body.set_loads(direction.number, fluid[i], stop);
       }
-    if (stops.are_violated(accelerations()))
+    if (stops.are_missing(accelerations()))
       misfit = std::max(misfit, 2. * clear_misfit);
     return misfit;
   }

@@ -10,7 +10,6 @@ namespace seiche
 
   namespace
   {
-    constexpr double       round_off   = 1e-9; // over the rates
     constexpr unsigned int most_sweeps = 1000;
     constexpr double       converged   = 1e-12; // of the largest force
   }                                             // namespace
@@ -20,8 +19,9 @@ namespace seiche
                    const double          step,
                    const unsigned int    n_directions)
   {
-    stops = std::move(list);
-    dt    = step;
+    stops  = std::move(list);
+    dt     = step;
+    solved = false;
     sums.reinit(n_directions);
   }
 
@@ -36,14 +36,12 @@ namespace seiche
   }
 
   bool
-  BodyStops::are_violated(const std::vector<double> &accelerations) const
+  BodyStops::are_missing(const std::vector<double> &accelerations) const
   {
-    return std::any_of(stops.begin(), stops.end(), [&](const BodyStop &stop) {
-      double size = std::abs(stop.rate) + std::abs(stop.least);
-      for (unsigned int i = 0; i < accelerations.size(); ++i)
-        size += std::abs(dt * stop.way[i] * accelerations[i]);
-      return slack(stop, accelerations) < -round_off * size;
-    });
+    return !solved &&
+           std::any_of(stops.begin(), stops.end(), [&](const BodyStop &stop) {
+             return slack(stop, accelerations) < 0.;
+           });
   }
 
   void
@@ -51,6 +49,7 @@ namespace seiche
                    const Vector<double>      &load,
                    const std::vector<double> &accelerations)
   {
+    solved               = true;
     const unsigned int n = accelerations.size();
     sums                 = 0.;
     Vector<double> change(n);

@@ -34,7 +34,7 @@ namespace
     std::vector<double>    free(n);
     for (unsigned int i = 0; i < n; ++i)
       free[i] = loads[i] / inertias[i];
-    const bool holds = stops.are_violated(free);
+    const bool holds = stops.are_missing(free);
     stops.solve(inverse, load, accelerations);
     sum += stops.forces();
     for (unsigned int i = 0; i < n; ++i)
@@ -47,7 +47,15 @@ namespace
       std::cout << ' '
                 << std::round((rates[i] + dt * accelerations[i]) * 1e9) / 1e9 +
                      0.;
-    std::cout << (stops.are_violated(accelerations) ? ", VIOLATED\n" : "\n");
+    for (const BodyStop &stop : list)
+      {
+        double rate = stop.rate;
+        for (unsigned int i = 0; i < n; ++i)
+          rate += dt * stop.way[i] * accelerations[i];
+        if (rate < stop.least - 1e-9)
+          std::cout << ", comes nearer";
+      }
+    std::cout << '\n';
   }
 } // namespace
 

@@ -113,7 +113,7 @@ namespace
     parameters.may_tumble = true;
     parameters.free       = "roll, pitch, yaw";
     parameters.inertia    = "1; 2; 3";
-    parameters.start_rate = "0.1; 1.5; 0.2";
+    parameters.start_rate = "0.1, 1.5, 0.2";
     FreeBody<3>  body(parameters, input, end_time);
     const double dt = end_time / n_steps;
     for (unsigned int k = 0; k < n_steps; ++k)

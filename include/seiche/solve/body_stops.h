@@ -33,10 +33,10 @@ namespace seiche
           const double          step,
           const unsigned int    n_directions);
 
-    /// True if with these accelerations a gap opens less than it must, by more
-    /// than round-off.
+    /// True if with these accelerations a gap opens less than it must; never
+    /// after solve(), whose forces see to it.
     bool
-    are_violated(const std::vector<double> &accelerations) const;
+    are_missing(const std::vector<double> &accelerations) const;
 
     /// Forces for accelerations that change by @p inverse (@p load + forces()),
     /// by projected Gauss-Seidel iterations.
@@ -58,7 +58,8 @@ namespace seiche
     slack(const BodyStop &stop, const std::vector<double> &accelerations) const;
 
     std::vector<BodyStop>  stops;
-    double                 dt = 0.;
+    double                 dt     = 0.;
+    bool                   solved = false;
     dealii::Vector<double> sums;
   };
 } // namespace seiche
