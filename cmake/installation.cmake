@@ -45,8 +45,9 @@ foreach(script ${scripts})
   install(PROGRAMS contrib/${file} DESTINATION ${seiche_share}/scripts COMPONENT program)
   install_link(${seiche_share}/scripts/${file} ${CMAKE_INSTALL_BINDIR}/${name})
 endforeach()
-install_link(${seiche_share}/scripts/seiche_output.py
-  ${SEICHE_PYTHON_DIR}/seiche_output.py)
+foreach(module seiche_output seiche_walls) # the first imports the second
+  install_link(${seiche_share}/scripts/${module}.py ${SEICHE_PYTHON_DIR}/${module}.py)
+endforeach()
 
 # The manual page is what --help says.
 find_program(HELP2MAN_EXECUTABLE help2man)

@@ -11,10 +11,10 @@ points have most of the volume around it (numpy only).
 
 import numpy
 
+from seiche_lattice import deposit, half_cell, lattice_about, means_of_neighbours, to_nodes
 from seiche_output import field
 from seiche_simplices import (
     clip_triangles, cut_lines, quartered, smooth_normals, surface_of_tetrahedra, tetrahedra)
-from seiche_water import deposit, half_cell, lattice_about, means_of_neighbours, to_nodes
 
 FINER = 2  # times that triangles near borders are quartered
 PURE = -0.999  # level of a fluid without another one

@@ -11,7 +11,6 @@
 """
 
 import base64
-import collections
 import csv
 import json
 import os
@@ -20,6 +19,8 @@ import xml.etree.ElementTree as ElementTree
 import zlib
 
 import numpy
+
+from seiche_walls import Walls
 
 TYPES = {
     "Float32": "f4",
@@ -43,6 +44,7 @@ class Run:
         self.statistics = self._read_statistics()
         self.summary = self._read_summary()
         self.parameters = self._read_parameters()
+        self._walls_of = None
 
     def _path(self, name):
         return os.path.join(self.directory, name)
@@ -150,17 +152,18 @@ class Run:
     def walls_at(self, time):
         """The Walls of a time [s]: those of the last frame until then; without such
         frames the entries of the start, or None."""
-        frames = self.frames("walls")
-        past = [path for at, path in frames if at <= time + 1e-9 * max(1.0, abs(time))]
+        past = [frame for frame in self.frames("walls") if frame[0] <= time + 1e-9 * max(1.0, abs(time))]
         if past:
-            return Walls.of_frame(read_frame(past[-1]), self.dim)
+            if self._walls_of != past[-1]:  # one object as long as nothing moves
+                self._walls_of = past[-1]
+                self._walls = Walls.of_frame(read_frame(past[-1][1]), self, past[-1][0])
+            return self._walls
         lower, upper = self.numbers("Grid/Lower corner"), self.numbers("Grid/Upper corner")
         if not lower or len(lower) != len(upper):
             return None
         names = ["Obstacle %s/%%s corner" % name for name in self.instances("Obstacle")]
         corners = [[self.numbers(n % "Lower"), self.numbers(n % "Upper")] for n in names]
-        return Walls(numpy.array(lower), numpy.array(upper), numpy.array(corners),
-                     self.sides("open", "periodic"), numpy.zeros((0, self.dim, self.dim)))
+        return Walls.without_solids(lower, upper, corners, self.sides("open", "periodic"))
 
     def sides(self, *conditions):
         """Sides of the box with one of these conditions, as (direction, 0 lower or 1
@@ -178,31 +181,6 @@ class Run:
     @property
     def dim(self):
         return int(self.parameter("Dimension", "2") or 2)
-
-
-class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides solids")):
-    """Corners of the box [dim] and of the obstacles [n, 2, dim] [m]; sides without a
-    wall, open or periodic, as (direction, 0 lower or 1 upper); corners of the pieces of
-    solids [n, dim, dim] [m]."""
-
-    @staticmethod
-    def of_frame(frame, dim):
-        parts = frame["part [-]"].astype(int)
-        box = [
-            [frame["points"][parts == p, :dim].min(axis=0), frame["points"][parts == p, :dim].max(axis=0)]
-            for p in range(parts.max() + 1)
-        ]
-        lower, upper = box[0]
-        sides = set()
-        for cell in frame["cells"][frame["open [-]"][frame["cells"][:, 0]] > 0.5]:
-            corners = frame["points"][cell, :dim]
-            d = int(numpy.ptp(corners, axis=0).argmin())
-            sides.add((d, int(abs(corners[0, d] - upper[d]) < abs(corners[0, d] - lower[d]))))
-        obstacles = numpy.array(box[1:], float).reshape(-1, 2, dim)
-        pieces = frame["cells"][parts[frame["cells"][:, 0]] < 0]
-        solids = frame["points"][pieces[:, :dim], :dim].astype(float)
-        return Walls(lower.astype(float), upper.astype(float), obstacles, frozenset(sides),
-                     solids)
 
 
 def field(frame, name):

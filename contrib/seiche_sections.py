@@ -5,10 +5,11 @@ three-dimensional run, for pictures. A picture holds all frames that it gets."""
 import matplotlib.pyplot as plt
 import numpy
 
+from seiche_lattice import deposit, lattice_cells
 from seiche_output import field
 from seiche_simplices import clip_triangles, fans, without_needles
 from seiche_stage import COLOURS, SOLID, draw_borders, fluid_colour, rectangle
-from seiche_water import NEEDLE, deposit, lattice_cells
+from seiche_water import NEEDLE
 
 WIDTH = 12.0  # of a picture [inches]
 ARROWS = 45  # along a section

@@ -14,12 +14,10 @@ import numpy
 from matplotlib.collections import EllipseCollection, LineCollection
 from matplotlib.colors import LinearSegmentedColormap, ListedColormap, to_rgb
 from matplotlib.patches import Patch
-from matplotlib.ticker import MaxNLocator
 
 from seiche_fluids import Fluids
 from seiche_output import field, read_frame
 from seiche_simplices import without_needles
-from seiche_views import View
 from seiche_water import NEEDLE, scalar, water_of
 
 FIELDS = {"pressure": "pressure [Pa]", "speed": "speed [m/s]", "plain": None}
@@ -36,10 +34,8 @@ LABEL = {"boxstyle": "round,pad=0.2", "fc": EDGE, "ec": "none", "alpha": 0.7}  #
 SOLID = "#8b8b8b"
 RASTER = 401  # places along a side that tell solids from water
 SAMPLED = 20  # frames that limits and extents are taken from
-VIEW = (-0.8, -1.6, 1.0)  # direction to the eye, 3D
 THICKNESS = 0.02  # of a drawn wall over the longest side of the picture
 SILENT = 1e-9  # [Pa] round-off, not a pressure
-TICK = 45  # pixels along an edge from label to label at least, 3D
 BALL = 1.25  # drawn radius of a drop over half the edge of its point
 
 # time [s], points (read_frame), their water, its Fluids, Walls, whether there is a pressure
@@ -96,6 +92,8 @@ class Stage:
         if name == "pressure" and abs(limits).max() < SILENT:
             self.name = "plain"
         at_times = [run.walls_at(time) for time, _ in sampled(frames, SAMPLED)]
+        # one object as long as nothing moves
+        self.all_walls = list({id(walls): walls for walls in at_times}.values())
         self.box = (numpy.min([w.lower for w in at_times], axis=0),
                     numpy.max([w.upper for w in at_times], axis=0))
         self.open_sides = at_times[0].open_sides
@@ -239,102 +237,10 @@ class Stage2D(Stage):
         if len(walls.solids):
             across = numpy.linspace(walls.lower[0], walls.upper[0], RASTER)
             up = numpy.linspace(walls.lower[1], walls.upper[1], RASTER)
-            height = distance_from_solids(walls.solids, across, up)
+            places = numpy.stack(numpy.meshgrid(across, up), axis=-1)
+            height = walls.distance(places.reshape(-1, 2)).reshape(places.shape[:2])
             axes.contourf(across, up, height, [-numpy.inf, 0.0], colors=[SOLID], zorder=3)
             axes.add_collection(LineCollection(walls.solids, colors="#333333", lw=0.9, zorder=4))
-
-
-def distance_from_solids(pieces, across, up):
-    """At the places of a raster, from lines [n, 2, 2] with the fluid on their right:
-    positive in the fluid. Where two lines are equally near the one seen steeper counts."""
-    start, way = pieces[:, 0], pieces[:, 1] - pieces[:, 0]
-    length = numpy.hypot(*way.T)
-    result = numpy.empty((len(up), len(across)))
-    for row, y in enumerate(up):
-        to = numpy.stack([across, numpy.full_like(across, y)], axis=1)[:, None] - start
-        along = numpy.clip((to * way).sum(axis=2) / length**2, 0.0, 1.0)
-        distance = numpy.hypot(*numpy.moveaxis(to - along[..., None] * way, 2, 0))
-        right = (to[..., 0] * way[:, 1] - to[..., 1] * way[:, 0]) / length
-        nearest = distance <= distance.min(axis=1, keepdims=True) * (1 + 1e-6) + 1e-12
-        best = numpy.where(nearest, numpy.abs(right), -1.0).argmax(axis=1)
-        place = numpy.arange(len(across)), best
-        result[row] = numpy.copysign(distance[place], right[place])
-    return result
-
-
-class Stage3D(Stage):
-    def __init__(self, run, frames, name, eye=None, width=1000):
-        super().__init__(run, frames, name)
-        if eye is None:  # walls that move stand behind the water
-            eye = numpy.array(VIEW)
-            for d, side in self.moving:
-                if d < 2:
-                    eye[d] = abs(eye[d]) * (1 if side == 0 else -1)
-        self.eye, self.width, self.still = eye, width, None
-        self.low, self.high = self.box[0].copy(), self.box[1].copy()
-        # air above the highest splash says nothing
-        top = self.reached[1][2] + 0.1 * (self.reached[1][2] - self.reached[0][2])
-        obstacles = run.walls_at(0).obstacles
-        top = max([top] + [high[2] for _, high in obstacles])
-        self.high[2] = min(self.high[2], top)
-        self.thickness = THICKNESS * (self.high - self.low).max() if self.moving else 0.0
-        small = self.make_view(run.walls_at(0), 100)
-        self.ratio = small.shape[0] / small.shape[1]
-
-    def view(self, walls):
-        """The same as long as no wall moves."""
-        if self.moving or self.still is None or self.still[0] != self.width:
-            self.still = self.width, self.make_view(walls, self.width)
-        return self.still[1]
-
-    def make_view(self, walls, width):
-        cut = [(low, numpy.minimum(high, self.high)) for low, high in
-               list(walls.obstacles) + self.pistons(walls, self.thickness)]
-        low, high = self.low.copy(), self.high.copy()
-        for d, side in self.moving:
-            (high if side else low)[d] += (2 * side - 1) * self.thickness
-        return View(low, high, self.eye, width, cut)
-
-    def skin(self, frame):
-        """Corners and normals [n, 3, 3], values [n, 3] and numbers of fluids [n]."""
-        corners, normals, values = frame.water.skin(frame.walls, self.field_of(frame))
-        parts = frame.fluids.divided(numpy.dstack([corners, normals, values]))
-        numbers = numpy.concatenate([numpy.full(len(part), number) for number, part in parts])
-        skin = numpy.concatenate([part for _, part in parts])
-        return skin[:, :, :3], skin[:, :, 3:6], skin[:, :, 6], numbers
-
-    def bodies(self, frame):
-        """Corners and normals [n, 3, 3] of fluids inside the water, and their numbers [n];
-        none where a field has the colours."""
-        if frame.known or not frame.fluids.are_several:
-            return numpy.zeros((0, 3, 3)), numpy.zeros((0, 3, 3)), numpy.zeros(0, int)
-        return frame.fluids.bodies(frame.water)
-
-    def image(self, frame):
-        """The View and its picture [rows, columns, 3]."""
-        view = self.view(frame.walls)
-        centres, radii, values, fluids = self.drops(frame)
-        return view, view.water_picture(
-            self.skin(frame), self.bodies(frame), (centres, BALL * radii, values, fluids),
-            lambda v, n: self.colours(frame, v, n), opacity=0.92 if frame.known else 0.85,
-            light_borders=frame.known)
-
-    def prepare(self, axes):
-        axes.set_axis_off()
-
-    def draw(self, axes, frame):
-        view, image = self.image(frame)
-        ticks = {}
-        for d in range(3):
-            length = (self.high[d] - self.low[d]) * numpy.linalg.norm(view.axes[:2, d])
-            number = min(5 if d < 2 else 3, int(self.width / TICK * length / numpy.ptp(view.extent[:2])))
-            places = MaxNLocator(number).tick_values(self.low[d], self.high[d]) if number > 1 else []
-            slack = 1e-6 * (self.high[d] - self.low[d])
-            ticks[d] = [p for p in places if self.low[d] - slack <= p <= self.high[d] + slack
-                        and (d < 2 or p > self.low[d] + slack)] or [self.high[d]]
-        view.draw(axes, image, ticks)
-        view.draw_rim(axes, view.lower, view.upper)
-        axes.set_title("t = %.3f s" % frame.time, fontsize=10)
 
 
 def fluid_colour(number):
@@ -365,4 +271,6 @@ def rectangle(axes, low, high, **style):
 def make_stage(run, frames, name, **options):
     if run.dim == 2:
         return Stage2D(run, frames, name)
+    from seiche_stage_3d import Stage3D
+
     return Stage3D(run, frames, name, **options)

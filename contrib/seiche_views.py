@@ -8,6 +8,7 @@ FINER = 2  # pixels are averaged over squares of so many
 LIGHT = numpy.array([-0.45, 0.55, 0.70])  # right, up, towards the eye
 GROUND, WALL = numpy.array([0.94, 0.92, 0.88]), numpy.array([0.62, 0.60, 0.58])
 GLASS = numpy.array([0.955, 0.965, 0.975])  # the sides of the tank behind the water
+EDGE_PLACES = 201  # along an edge of the box
 SAMPLES = 1 << 21  # pixels of triangles that are worked on at once
 BORDER = numpy.array([0.04, 0.16, 0.27])  # between fluids
 CLEAR = 0.5  # opacity of a fluid before another one
@@ -204,9 +205,9 @@ class View:
         for border, colour in zip(self.borders(fluid), (BORDER, 1.0 if light_borders else BORDER)):
             image[border] = colour
         centres, radii, at_drops, fluids = drops
+        nearest = numpy.maximum(self.walls, numpy.where(wet, water, -numpy.inf))
         if len(centres):
             ball, owner = self.balls(centres, radii)
-            nearest = numpy.maximum(self.walls, numpy.where(wet, water, -numpy.inf))
             dropped = numpy.isfinite(ball) & (ball > nearest)
             number = owner[dropped]
             row, column = numpy.nonzero(dropped)
@@ -214,7 +215,12 @@ class View:
                                  self.low[1] + (row + 0.5) * self.pixel, ball[dropped]], axis=1)
             image[dropped] = self.shade(colour_of(at_drops[number], fluids[number]),
                                         there - self.project(centres[number]))
+            nearest[dropped] = ball[dropped]
+        self.finish(image, nearest)
         return self.averaged(image)
+
+    def finish(self, image, nearest):
+        """What stands before the water; the heights of what is nearest so far."""
 
     def show_bodies(self, image, opacity, bodies, water, fluid, colour_of):
         """Fluids inside the water, seen through those with smaller numbers, whose opacity
@@ -317,8 +323,8 @@ class View:
                           annotation_clip=False, **anchor)
         axes.set_axis_off()
 
-    def draw_rim(self, axes, lower, upper):
-        """The edges of a box next to the eye, which hide nothing."""
+    def draw_rim(self, axes, lower, upper, is_wall=lambda places: numpy.ones(len(places), bool)):
+        """The edges of a box next to the eye, which hide nothing, where there is a wall."""
         eye = self.axes[2]
         near = [(upper if eye[d] > 0 else lower)[d] for d in range(3)]
         for d in range(3):
@@ -329,4 +335,6 @@ class View:
                     if not is_near:
                         ends[:, other] = lower[other] + upper[other] - near[other]
                 ends[:, d] = lower[d], upper[d]
-                axes.plot(*self.project(ends)[:, :2].T, color="0.45", lw=0.5, clip_on=False)
+                places = ends[0] + numpy.linspace(0, 1, EDGE_PLACES)[:, None] * (ends[1] - ends[0])
+                line = numpy.where(is_wall(places)[:, None], self.project(places)[:, :2], numpy.nan)
+                axes.plot(*line.T, color="0.45", lw=0.5, clip_on=False)

@@ -11,6 +11,8 @@ import itertools
 
 import numpy
 
+from seiche_lattice import (
+    deposit, half_cell, lattice_about, lattice_cells, means_of_neighbours, to_nodes)
 from seiche_output import field, read_frame
 from seiche_simplices import (
     clip_triangles, cut_lines, fans, smooth_normals, surface_of_tetrahedra, tetrahedra, without_needles)
@@ -21,8 +23,8 @@ OUTSIDE = 9.0  # level [cells] where there is no cell
 SPRAY = 0.25  # level [cells] from which on a point is drawn as spray
 INVERSIONS = 3  # of x + u(x), each gains a digit or so
 NEAR_SIDE = 1e-3  # [cells] by which a place may miss its cell
+BESIDE_WALL = 0.3  # [cells] from a wall to where a cell is looked for
 NEEDLE = 0.015  # [cells] triangles that are thinner are not drawn
-LARGEST = 4e6  # cells of the lattice that points fill
 
 
 def scalar(frame, name):
@@ -40,84 +42,8 @@ def water_of(run, time, points):
     walls = run.walls_at(time)
     if LEVEL in frame and numpy.any(frame[LEVEL] < 0):
         seams = {d: (walls.lower[d], walls.upper[d]) for d in run.periodic()}
-        return Water.of_grid(frame, run.dim, seams)
+        return Water.of_grid(frame, run.dim, seams, walls)
     return Water.of_points(points, walls, run.dim, half_cell(run))
-
-
-def deposit(places, sizes, lines, weights):
-    """Sums of weights [n] over the cells between lines, one array a direction, [m].
-    A point is a cube of a size [m], at most as wide as a cell: taken as a dot it
-    would beat with the cells."""
-    dim = len(lines)
-    first, share = [], []
-    for d in range(dim):
-        width = lines[d][1] - lines[d][0]
-        low = (places[:, d] - 0.5 * sizes - lines[d][0]) / width
-        first.append(numpy.floor(low).astype(int))
-        share.append(numpy.clip((first[d] + 1 - low) * width / sizes, 0, 1))
-    shape = [len(line) - 1 for line in lines]
-    result = numpy.zeros(shape)
-    for corner in itertools.product((0, 1), repeat=dim):
-        index = [(first[d] + c).clip(0, shape[d] - 1) for d, c in enumerate(corner)]
-        part = numpy.prod([1 - share[d] if c else share[d] for d, c in enumerate(corner)], axis=0)
-        numpy.add.at(result, tuple(index), weights * part)
-    return result
-
-
-def means_of_neighbours(values, passes):
-    """Mean over each value and those beside it, in every direction; the edge is
-    repeated."""
-    for _ in range(passes):
-        for d in range(values.ndim):
-            padded = numpy.pad(values, [(int(e == d),) * 2 for e in range(values.ndim)], "edge")
-            n = values.shape[d]
-            values = sum(numpy.take(padded, range(k, k + n), axis=d) for k in range(3)) / 3
-    return values
-
-
-def to_nodes(values):
-    """From the cells of a lattice to its nodes."""
-    for d in range(values.ndim):
-        padded = numpy.pad(values, [(int(e == d),) * 2 for e in range(values.ndim)], "edge")
-        n = values.shape[d] + 1
-        values = 0.5 * (numpy.take(padded, range(n), axis=d)
-                        + numpy.take(padded, range(1, n + 1), axis=d))
-    return values
-
-
-def lattice_about(x, sizes, wide, walls):
-    """Lines, one array a direction, about points [n, dim] between the walls, and the width
-    between them at most about: `wide` times that of a point [m]."""
-    dim = x.shape[1]
-    width = max(wide * float(numpy.percentile(sizes, 95)), (numpy.prod(numpy.ptp(x, axis=0)) / LARGEST)**(1 / dim))
-    lines = []
-    for d in range(dim):
-        low, high = walls.lower[d], walls.upper[d]
-        line = numpy.linspace(low, high, max(1, int((high - low) / width)) + 1)
-        step = line[1] - line[0]
-        used = (line > x[:, d].min() - 4 * step) & (line < x[:, d].max() + 4 * step)
-        lines.append(line[used])
-    return lines, width
-
-
-def half_cell(run):
-    """That of a run over the width of a point."""
-    per_cell = run.numbers("Points/Per cell and direction")
-    return max(1.0, 0.5 * sum(per_cell))
-
-
-def lattice_cells(lines, shape):
-    """Corners [n, 2^dim, dim] of a lattice's cells, and the numbers of their nodes."""
-    dim = len(lines)
-    nodes = numpy.stack(numpy.meshgrid(*lines, indexing="ij"), axis=-1).reshape(-1, dim)
-    first = numpy.stack(numpy.meshgrid(*(numpy.arange(n) for n in shape), indexing="ij"), axis=-1)
-    first = first.reshape(-1, dim)
-    numbers = [
-        numpy.ravel_multi_index((first + [v >> d & 1 for d in range(dim)]).T, [n + 1 for n in shape])
-        for v in range(2**dim)
-    ]
-    numbers = numpy.stack(numbers, axis=1)
-    return nodes[numbers], numbers
 
 
 def with_images(start, seams):
@@ -137,6 +63,36 @@ def with_images(start, seams):
     return number, shift
 
 
+def left_out_beside(start, walls):
+    """Cells beside those [n, 2^dim, dim] that walls of solids cut and that are not occupied,
+    as too little of them is wet: the water goes on there as it is at the common face. The
+    number of the cell beside, its corner that each corner takes after, how far they are
+    away [m]."""
+    count, dim = start.shape[1:]
+    finder = Water(start, numpy.zeros_like(start), numpy.zeros(start.shape[:2]), None)
+    corners = numpy.arange(count)
+    numbers, sources, shifts = [], [], []
+    for d, side in itertools.product(range(dim), (0, 1)):
+        shift = numpy.zeros((len(start), dim))
+        shift[:, d] = (2 * side - 1) * (start[:, -1, d] - start[:, 0, d])
+        middle = start.mean(axis=1) + shift
+        number = numpy.flatnonzero(((middle > walls.lower) & (middle < walls.upper)).all(axis=1)
+                                   & (finder._find(middle) < 0))
+        there = start[number] + shift[number][:, None]
+        # not where smaller cells are
+        inner = 0.5 * (there + there.mean(axis=1, keepdims=True)).reshape(-1, dim)
+        distance = walls.distance(there.reshape(-1, dim)).reshape(-1, count)
+        chosen = ((finder._find(inner).reshape(-1, count) < 0).all(axis=1)
+                  & (distance.min(axis=1) < 0) & (distance.max(axis=1) > 0))
+        numbers.append(number[chosen])
+        shifts.append(shift[number[chosen]])
+        sources.append(numpy.repeat([corners | 1 << d if side else corners & ~(1 << d)], chosen.sum(), axis=0))
+    numbers, sources, shifts = (numpy.concatenate(parts) for parts in (numbers, sources, shifts))
+    middle = numpy.rint((start[numbers].mean(axis=1) + shifts) / (1e-3 * finder.size))
+    once = numpy.unique(middle, axis=0, return_index=True)[1]
+    return numbers[once], sources[once], shifts[once]
+
+
 class Water:
     """Cells with a level at their corners, and fields to colour by."""
 
@@ -153,8 +109,13 @@ class Water:
         self._make_finder()
 
     @staticmethod
-    def of_grid(frame, dim, seams):
+    def of_grid(frame, dim, seams, walls):
         cells = frame["cells"][:, VTK_ORDER[dim]]
+        places = frame["points"][cells][:, :, :dim].astype(float)
+        if len(walls.solids):
+            number, corner, shift = left_out_beside(places, walls)
+            cells = numpy.concatenate([cells, cells[number[:, None], corner]])
+            places = numpy.concatenate([places, places[number] + shift[:, None]])
 
         def values(name):
             if name == "velocity":
@@ -162,17 +123,17 @@ class Water:
             return scalar(frame, name)[cells].astype(float)
 
         own = len(cells)
-        number, shift = with_images(frame["points"][cells][:, :, :dim].astype(float), seams)
+        number, shift = with_images(places, seams)
         cells = cells[number]
-        start = frame["points"][cells][:, :, :dim].astype(float) + shift[:, None]
+        start = places[number] + shift[:, None]
         displacement = field(frame, "displacement")[cells][:, :, :dim].astype(float)
         return Water(start, displacement, frame[LEVEL][cells].astype(float), values, own)
 
     @staticmethod
     def of_points(frame, walls, dim, wide):
         """Cells `wide` times as wide as a point, half a cell of the run, for flow draws
-        rows of points apart; full where points take more than half of the room that the
-        obstacles leave."""
+        rows of points apart; full where points take more than half of the room that
+        obstacles and solids leave."""
         x, sizes = frame["points"][:, :dim].astype(float), 2.0 * field(frame, "radius").astype(float)
         lines, width = lattice_about(x, sizes, wide, walls)
         sizes = numpy.minimum(sizes, width)
@@ -183,6 +144,7 @@ class Water:
         room = numpy.ones(len(centre))
         for low, high in walls.obstacles:
             room[((centre > low) & (centre < high)).all(axis=1)] = 0.0
+        room *= numpy.clip(0.5 + walls.distance(centre) / width, 0, 1)
         room = room.reshape(shape)
         free = numpy.maximum(to_nodes(means_of_neighbours(room, 1)), 1e-3)
         own = (2.0 * field(frame, "radius").astype(float))**dim
@@ -220,8 +182,9 @@ class Water:
         return cut_lines(*fans(self.corners[cut], self.level[cut]))
 
     def skin(self, walls, name):
-        """What is seen from outside, the free surface and the wetted walls: corners
-        [n, 3, 3], normals [n, 3, 3] and values [n, 3]."""
+        """What is seen from outside, the free surface and the wetted sides of the box and
+        of obstacles, without what lies in solids: corners [n, 3, 3], normals [n, 3, 3]
+        and values [n, 3]."""
         columns = numpy.dstack([self.corners, self.values(name)])
         real = numpy.arange(len(self.level)) < self.own
         cut = real & (self.level.min(axis=1) < 0) & (self.level.max(axis=1) >= 0)
@@ -229,19 +192,33 @@ class Water:
         split = numpy.einsum("tvc,nck->ntvk", weights, columns[cut]).reshape(-1, 4, 4)
         level = numpy.einsum("tvc,nc->ntv", weights, self.level[cut]).reshape(-1, 4)
         surface = surface_of_tetrahedra(split, level)
-        normals = smooth_normals(surface[:, :, :3], self.size)
-        faces, face_normals = [surface], [normals]
+        faces = [numpy.dstack([surface, smooth_normals(surface[:, :, :3], self.size)])]
         for d, side in itertools.product(range(3), (0, 1)):
             on_face = [v for v in range(8) if v >> d & 1 == side]
             wet = self.level[:, on_face].min(axis=1) < 0
             chosen = real & wet & self._on_wall(walls, d, side, on_face)
             face = clip_triangles(*fans(columns[chosen][:, on_face], self.level[chosen][:, on_face]))
-            faces.append(face)
             outwards = numpy.zeros((len(face), 3, 3))
             outwards[:, :, d] = 2 * side - 1
-            face_normals.append(outwards)
-        faces, face_normals = numpy.concatenate(faces), numpy.concatenate(face_normals)
-        return faces[:, :, :3], face_normals, faces[:, :, 3]
+            faces.append(numpy.dstack([face, outwards]))
+        faces = numpy.concatenate(faces)
+        if len(walls.solids):  # into which the level goes on
+            inwards = -walls.distance(faces[:, :, :3].reshape(-1, 3)).reshape(-1, 3)
+            faces = clip_triangles(faces, inwards)
+        return faces[:, :, :3], faces[:, :, 4:], faces[:, :, 3]
+
+    def on_solids(self, walls, name):
+        """The same of the wetted walls of solids, which close the skin."""
+        normals = -smooth_normals(walls.solids, self.size)
+        places = walls.solids.reshape(-1, 3)
+        level, values = self.sample(places, name)
+        for _ in range(2):  # cells with a little room beside a wall are not occupied
+            missing = level == OUTSIDE
+            places = places - BESIDE_WALL * self.size * normals.reshape(-1, 3)
+            level[missing], values[missing] = self.sample(places[missing], name)
+        faces = numpy.dstack([walls.solids, values.reshape(-1, 3), normals])
+        faces = clip_triangles(faces, level.reshape(-1, 3))
+        return faces[:, :, :3], faces[:, :, 4:], faces[:, :, 3]
 
     def _on_wall(self, walls, d, side, on_face):
         """Which cells have this face on a side of the box or of an obstacle."""

@@ -30,11 +30,14 @@ CONTRIB = ROOT / "contrib"
 SCENES = ROOT / "tests" / "scene"
 LAYERS = ROOT / "tests" / "pictures" / "layers.prm"
 sys.path.insert(0, str(CONTRIB))
-from seiche_output import Run, Walls, field, read_frame  # noqa: E402
+from seiche_output import Run, field, read_frame  # noqa: E402
+from seiche_walls import Walls  # noqa: E402
 import seiche_fluids  # noqa: E402
+import seiche_lattice  # noqa: E402
 import seiche_pyvista  # noqa: E402
 import seiche_simplices  # noqa: E402
 import seiche_snapshots  # noqa: E402
+import seiche_solids  # noqa: E402
 import seiche_stage  # noqa: E402
 import seiche_water  # noqa: E402
 
@@ -123,7 +126,7 @@ def geometry(seiche, folder):
 
     places = random.random((50, 2))
     lines = [numpy.linspace(0, 1, 9)] * 2
-    sums = seiche_water.deposit(places, numpy.full(50, 0.1), lines, numpy.arange(50.0))
+    sums = seiche_lattice.deposit(places, numpy.full(50, 0.1), lines, numpy.arange(50.0))
     assert numpy.isclose(sums.sum(), numpy.arange(50).sum())
 
     # a lattice that the flow has drawn to five times its length shows no stripes
@@ -131,8 +134,7 @@ def geometry(seiche, folder):
     lattice = numpy.stack(numpy.meshgrid(numpy.arange(n), numpy.arange(n)), axis=-1).reshape(-1, 2)
     lattice = (lattice + 0.5) * d * (5, 0.2)
     frame = {"points": lattice, "radius [m]": numpy.full(n * n, 0.5 * d)}
-    box = Walls(numpy.zeros(2), numpy.array([6.0, 1.0]), numpy.zeros((0, 2, 2)), frozenset(),
-                numpy.zeros((0, 2, 2)))
+    box = Walls.without_solids([0.0, 0.0], [6.0, 1.0], [], frozenset())
     water = seiche_water.Water.of_points(frame, box, 2, wide=3.0)
     inside = random.random((500, 2)) * (4.8, 0.15)
     assert (water.sample(inside)[0] < 0).all(), water.sample(inside)[0].max()
