@@ -82,3 +82,20 @@ def lattice_cells(lines, shape):
     ]
     numbers = numpy.stack(numbers, axis=1)
     return nodes[numbers], numbers
+
+
+def with_images(start, seams):
+    """Numbers of the cells [n, 2^dim, dim] and, behind them, of those that lie at a seam,
+    {direction: (lower, upper)} [m], once more for their images beyond the other side;
+    how far these are away [m]."""
+    number, shift = numpy.arange(len(start)), numpy.zeros((len(start), start.shape[2]))
+    for d, (lower, upper) in seams.items():
+        place = start[number, :, d] + shift[:, None, d]
+        near = 1e-3 * numpy.ptp(place, axis=1).min()
+        numbers, shifts = [number], [shift]
+        for side, way in ((lower, upper - lower), (upper, lower - upper)):
+            beside = (abs(place - side) < near).any(axis=1)
+            numbers.append(number[beside])
+            shifts.append(shift[beside] + way * numpy.eye(start.shape[2])[d])
+        number, shift = numpy.concatenate(numbers), numpy.concatenate(shifts)
+    return number, shift

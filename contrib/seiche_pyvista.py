@@ -11,6 +11,7 @@ import numpy
 ENVIRONMENT = os.path.normpath(
     os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "build", "pyvista"))
 CLEAR = 0.6  # opacity of a fluid with others inside
+GLASS = 0.15  # opacity of solids that hold the fluid
 SIZE = (1400, 800)  # [pixels]
 REFUSED = """pictures: PyVista is missing, and nothing is downloaded unasked. Debian 13 has it
 (apt-get install python3-pyvista); or start this on a terminal to be asked about a
@@ -86,6 +87,7 @@ def draw(stage, frame, filename):
     """One Frame of a Stage3D as a PNG file."""
     import pyvista
 
+    from seiche_scenery import Scenery
     from seiche_stage import BALL
 
     plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
@@ -109,6 +111,12 @@ def draw(stage, frame, filename):
     for low, high in list(frame.walls.obstacles) + stage.pistons(frame.walls, stage.thickness):
         bounds = [v for pair in zip(low, high) for v in pair]
         plotter.add_mesh(pyvista.Box(bounds), color="lightgray", show_edges=True)
+    if len(frame.walls.solids):
+        scenery = Scenery(frame.walls, stage.low, stage.high, stage.eye)
+        for (corners, normals), opacity in ((scenery.bodies, 1.0), (scenery.shells, GLASS)):
+            if len(corners):
+                add_triangles(plotter, corners, normals, numpy.zeros(corners.shape[:2]),
+                              color="lightgray", opacity=opacity)
     tank = pyvista.Box([v for pair in zip(stage.low, stage.high) for v in pair])
     plotter.add_mesh(tank, style="wireframe", color="black", line_width=1)
     plotter.add_text("t = %.3f s" % frame.time, color="black", font_size=12)

@@ -26,8 +26,8 @@ def room_of(all_walls, lower, upper):
         return lower, upper
     for d in range(3):
         for corner, end in ((lower, min), (upper, max)):
-            nodes = [side_of(walls.lower, walls.upper, d, corner[d], spacing(walls))[0] for walls in all_walls]
-            if not any((walls.distance(n.reshape(-1, 3)) > 0).any() for walls, n in zip(all_walls, nodes)):
+            if not any((walls.distance(nodes_of_side(walls, d, corner[d])) > 0).any()
+                       for walls in all_walls):
                 corner[d] = end(getattr(walls.solids[:, :, d], end.__name__)() for walls in all_walls)
     return lower, upper
 
@@ -47,6 +47,10 @@ def side_of(lower, upper, d, place, width):
     corners = numpy.full(flat.shape[:2] + (3,), float(place))
     corners[:, :, across] = flat
     return corners, numbers
+
+
+def nodes_of_side(walls, d, place):
+    return side_of(walls.lower, walls.upper, d, place, spacing(walls))[0].reshape(-1, 3)
 
 
 def inside(triangles, lower, upper):

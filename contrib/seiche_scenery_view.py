@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Oblique views of water among solids: bodies are opaque; of shells, which hold the
-fluid, the far wall is seen behind the water and the near one as glass before it."""
+fluid, the far wall is seen behind the water and the near one as glass before it. Bodies
+under water shine through it."""
 
 import numpy
 
@@ -66,12 +67,14 @@ class SceneryView(View):
         filled = numpy.where(numpy.isfinite(height), height, -1e9)
         edge = numpy.any([filled - other > JUMP * self.pixel for other in around(filled)], axis=0)
         colours[edge & numpy.isfinite(height)] = LINE
-        self._put(height, colours)
+        self.sunk = self._put(height, colours)
 
     def _put(self, height, colours):
+        """Before what there is; where."""
         seen = height > self.walls
         self.walls[seen] = height[seen]
         self.wall_colours[seen] = colours[seen]
+        return seen
 
     def _pixels_of(self, lines):
         """Numbers of the pixels on lines [n, 2, 3] and heights there."""
@@ -79,7 +82,8 @@ class SceneryView(View):
         length = numpy.linalg.norm(numpy.diff(ends[:, :, :2], axis=1)[:, 0], axis=1)
         number = numpy.ceil(length / self.pixel * STEPS).astype(int) + 1
         line = numpy.repeat(numpy.arange(len(lines)), number)
-        share = (numpy.arange(number.sum()) - numpy.repeat(numpy.cumsum(number) - number, number)) / number[line]
+        first = numpy.repeat(numpy.cumsum(number) - number, number)
+        share = (numpy.arange(number.sum()) - first) / number[line]
         place = ends[line, 0] + share[:, None] * (ends[line, 1] - ends[line, 0])
         column, row = (numpy.floor((place[:, d] - self.low[d]) / self.pixel).astype(int) for d in (0, 1))
         shown = (row >= 0) & (row < self.shape[0]) & (column >= 0) & (column < self.shape[1])

@@ -47,6 +47,14 @@ def lines_of(stage, water, width, d):
     return numpy.unique(numpy.concatenate([lines, both[(both > low) & (both < high)]]))
 
 
+def level_at(frame, places, *names):
+    """Of the water at places [n, 3], outside of solids, in cells, and fields."""
+    level, *values = frame.water.sample(places, *names)
+    wet = level < 0
+    level[wet] = numpy.maximum(level[wet], -frame.walls.distance(places[wet]) / frame.water.size)
+    return [level] + values
+
+
 def depth_of_water(frame, places, low, high):
     """Height [m] of the water of a Frame over each place [n, 2]: how much of the upright
     line between two heights [m] lies inside the level; and those of its fluids
@@ -59,7 +67,7 @@ def depth_of_water(frame, places, low, high):
     for k in range(n):
         height = numpy.full((len(places), 1), low + (k + 0.5) * step)
         there = numpy.hstack([places, height])
-        level = water.sample(there)[0] * water.size
+        level = level_at(frame, there)[0] * water.size
         part = step * numpy.clip(0.5 - level / step, 0, 1)
         result += part
         of_fluids[frame.fluids.at(there), numpy.arange(len(there))] += part
@@ -180,11 +188,11 @@ def section_picture(stage, frames, y, filename):
         numpy.arange(lower[2] + step / 4, upper[2], step / 2), indexing="ij"), axis=-1).reshape(-1, 2)
     cuts = []
     for frame in frames:
-        level, speed = frame.water.sample(in_plane(nodes, y), "speed")
+        level, speed = level_at(frame, in_plane(nodes, y), "speed")
         columns = numpy.dstack([corners, speed[numbers]])
         filled = without_needles(clip_triangles(*fans(columns, level[numbers])),
                                  NEEDLE * frame.water.size)
-        inside, velocity = frame.water.sample(in_plane(at_arrows, y), "velocity")
+        inside, velocity = level_at(frame, in_plane(at_arrows, y), "velocity")
         inside = inside < -0.1
         cuts.append((filled, at_arrows[inside], velocity[inside]))
     speeds = numpy.concatenate([filled[:, :, 2].ravel() for filled, _, _ in cuts])
@@ -203,6 +211,10 @@ def section_picture(stage, frames, y, filename):
         for low, high in frame.walls.obstacles:
             if low[1] <= y <= high[1]:  # those that the plane goes through
                 rectangle(axes, low[[0, 2]], high[[0, 2]], fc=SOLID, ec="#333333", lw=0.8, zorder=3)
+        if len(frame.walls.solids):
+            distance = frame.walls.distance(in_plane(nodes, y)).reshape([len(line) for line in lines]).T
+            axes.contourf(*lines, distance, [-numpy.inf, 0.0], colors=[SOLID], zorder=3)
+            axes.contour(*lines, distance, [0.0], colors="#333333", linewidths=0.8, zorder=4)
         axes.set_title("t = %.3f s, y = %.4g m" % (frame.time, y), fontsize=10)
     figure.colorbar(image, ax=list(all_axes), label="speed [m/s]", extend="max", shrink=0.8)
     figure.savefig(filename, dpi=130, bbox_inches="tight")

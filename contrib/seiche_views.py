@@ -11,7 +11,7 @@ GLASS = numpy.array([0.955, 0.965, 0.975])  # the sides of the tank behind the w
 EDGE_PLACES = 201  # along an edge of the box
 SAMPLES = 1 << 21  # pixels of triangles that are worked on at once
 BORDER = numpy.array([0.04, 0.16, 0.27])  # between fluids
-CLEAR = 0.5  # opacity of a fluid before another one
+CLEAR = 0.5  # opacity of a fluid before another one or a body
 GLOSS, SHININESS = 0.28, 36  # of the water
 SHADOW = numpy.array([1.15, 0.9, 0.5])  # what it takes from red, green and blue
 
@@ -48,6 +48,7 @@ class View:
             self.background[inside] = GROUND if direction == 2 else GLASS
             self.background[outline] = 0.55
         self.walls, self.wall_colours = self.boxes(boxes)
+        self.sunk = numpy.zeros(self.shape, bool)  # what is there is seen through water
 
     @staticmethod
     def corners(lower, upper):
@@ -199,7 +200,7 @@ class View:
         wet = numpy.isfinite(water) & (water > self.walls)
         fluid = numpy.where(wet, numpy.rint(found[:, :, 4]), -1).astype(int)
         shown = self.shade(colour_of(found[wet][:, 3], fluid[wet]), found[wet][:, :3])
-        opacity = numpy.full(self.shape, opacity)
+        opacity = numpy.where(self.sunk, CLEAR, opacity)
         self.show_bodies(image, opacity, bodies, water, fluid, colour_of)
         image[wet] += opacity[wet][:, None] * (shown - image[wet])
         for border, colour in zip(self.borders(fluid), (BORDER, 1.0 if light_borders else BORDER)):

@@ -21,10 +21,8 @@ class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides so
     def of_frame(frame, run, time):
         dim = run.dim
         parts = frame["part [-]"].astype(int)
-        box = [
-            [frame["points"][parts == p, :dim].min(axis=0), frame["points"][parts == p, :dim].max(axis=0)]
-            for p in range(parts.max() + 1)
-        ]
+        corners = [frame["points"][parts == p, :dim] for p in range(parts.max() + 1)]
+        box = [[places.min(axis=0), places.max(axis=0)] for places in corners]
         lower, upper = box[0]
         sides = set()
         for cell in frame["cells"][frame["open [-]"][frame["cells"][:, 0]] > 0.5]:
@@ -39,7 +37,8 @@ class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides so
         for n, name in enumerate(run.instances("Solid")):
             solids[number == n] = moved(solids[number == n], run, name, time)
             shells[number == n] = run.parameter("Solid %s/Fluid" % name) == "inside"
-        return Walls(lower.astype(float), upper.astype(float), obstacles, frozenset(sides), solids, shells)
+        return Walls(lower.astype(float), upper.astype(float), obstacles, frozenset(sides),
+                     solids, shells)
 
     @staticmethod
     def without_solids(lower, upper, obstacles, open_sides):

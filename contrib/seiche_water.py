@@ -12,7 +12,7 @@ import itertools
 import numpy
 
 from seiche_lattice import (
-    deposit, half_cell, lattice_about, lattice_cells, means_of_neighbours, to_nodes)
+    deposit, half_cell, lattice_about, lattice_cells, means_of_neighbours, to_nodes, with_images)
 from seiche_output import field, read_frame
 from seiche_simplices import (
     clip_triangles, cut_lines, fans, smooth_normals, surface_of_tetrahedra, tetrahedra, without_needles)
@@ -44,23 +44,6 @@ def water_of(run, time, points):
         seams = {d: (walls.lower[d], walls.upper[d]) for d in run.periodic()}
         return Water.of_grid(frame, run.dim, seams, walls)
     return Water.of_points(points, walls, run.dim, half_cell(run))
-
-
-def with_images(start, seams):
-    """Numbers of the cells [n, 2^dim, dim] and, behind them, of those that lie at a seam,
-    {direction: (lower, upper)} [m], once more for their images beyond the other side;
-    how far these are away [m]."""
-    number, shift = numpy.arange(len(start)), numpy.zeros((len(start), start.shape[2]))
-    for d, (lower, upper) in seams.items():
-        place = start[number, :, d] + shift[:, None, d]
-        near = 1e-3 * numpy.ptp(place, axis=1).min()
-        numbers, shifts = [number], [shift]
-        for side, way in ((lower, upper - lower), (upper, lower - upper)):
-            beside = (abs(place - side) < near).any(axis=1)
-            numbers.append(number[beside])
-            shifts.append(shift[beside] + way * numpy.eye(start.shape[2])[d])
-        number, shift = numpy.concatenate(numbers), numpy.concatenate(shifts)
-    return number, shift
 
 
 def left_out_beside(start, walls):

@@ -97,7 +97,8 @@ def area_of(corners):
 
 def volume(water, walls):
     """Inside the skin by the divergence theorem: right only if it is closed."""
-    corners, normals, _ = water.skin(walls, "speed")
+    parts = water.skin(walls, "speed"), water.on_solids(walls, "speed")
+    corners, normals = (numpy.concatenate([part[i] for part in parts]) for i in (0, 1))
     across = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     outwards = numpy.sign(numpy.einsum("ij,ij->i", across, normals.sum(axis=1)))
     return float((corners.mean(axis=1) * across * outwards[:, None]).sum() / 6.0)
@@ -273,6 +274,45 @@ def walls(seiche, folder):
     os.remove(f"{folder}/still/walls.pvd")  # then the entries say it
     unseen = Run(f"{folder}/still").walls_at(0.05)
     assert unseen.open_sides == {(1, 1)}, unseen
+
+
+def solids(seiche, folder):
+    """Distances from pieces; water closed at walls of solids; where a solid that moves is at
+    the end of the step; a body, grey, and a tank of glass in the picture."""
+    random = numpy.random.default_rng(1)
+    ends = numpy.linspace(0, 2 * numpy.pi, 100)
+    ring = 0.5 * numpy.stack([numpy.cos(ends), -numpy.sin(ends)], axis=1)
+    pieces = numpy.stack([ring[1:], ring[:-1]], axis=1)  # the fluid, on their right, is outside
+    measured = seiche_solids.Solids(pieces, numpy.full(2, -1.0), numpy.full(2, 1.0))
+    places = random.uniform(-1, 1, (2000, 2))
+    true = numpy.linalg.norm(places, axis=1) - 0.5
+    found = measured.distance(places)
+    near = abs(true) < 0.5 * measured.width
+    assert near.any() and abs(found - true)[near].max() < 1e-3
+    assert (numpy.sign(found) == numpy.sign(true))[abs(true) > 1e-3].all()
+
+    run = simulate(seiche, f"{folder}/bowl", "solids_3d.prm", 0.04, 0.04)
+    water, cloud, there, _ = last_water(run)
+    assert 0.3 < there.shells.mean() < 0.9, there.shells.mean()  # the bowl; ball, slope
+    assert abs(volume(water, there) / size_of_points(cloud, 3) - 1) < 0.02, volume(water, there)
+    skin = water.skin(there, "speed")[0].reshape(-1, 3)
+    assert there.distance(skin).min() > -0.01, there.distance(skin).min()  # a tenth of a cell
+    call("plot_run", f"{folder}/bowl", "-o", f"{folder}/bowl.png", "--times", "0.04")
+    pixels = picture(f"{folder}/bowl.png")
+    blue = (pixels[:, :, 2] > pixels[:, :, 0] + 0.2).mean()
+    grey = (numpy.ptp(pixels, axis=2) < 0.1) & (pixels.max(axis=2) < 0.85)
+    assert 0.05 < blue < 0.5 and 0.05 < grey.mean() < 0.4, (blue, grey.mean())
+
+    run = simulate(seiche, f"{folder}/free", "free_solids_3d.prm", 0.04, 0.02)
+    assert len(run.frames("walls")) == 3
+    for time, _ in run.frames("points")[1:]:
+        there = run.walls_at(time)
+        row = abs(run.statistics["time [s]"] - time).argmin()
+        moved = [run.statistics["ball displacement %s [m]" % d][row] for d in "xyz"]
+        # of the ball, which is turned about (0.7, 0.31, 0.27), not its middle
+        pieces = there.solids[there.solids[:, :, 0].min(axis=1) > 0.5]
+        middle = 0.5 * (pieces.min(axis=(0, 1)) + pieces.max(axis=(0, 1)))
+        assert abs(middle - (0.7, 0.31, 0.25) - moved).max() < 0.005, (time, middle, moved)
 
 
 def seams(seiche, folder):
