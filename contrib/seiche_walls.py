@@ -48,18 +48,21 @@ class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides so
 
     @functools.cached_property
     def _measured(self):
-        """For pictures alone."""
-        from seiche_solids import Solids
-
-        return {kind: Solids(self.solids[chosen], self.lower, self.upper) if chosen.any() else None
-                for kind, chosen in {"all": self.shells >= 0, "shells": self.shells,
-                                     "bodies": ~self.shells}.items()}
+        return {}
 
     def distance(self, places, kind="all"):
         """From solids at places [n, dim] [m], positive in the fluid; kind: all, shells
         (those with the fluid inside) or bodies."""
-        solids = self._measured[kind]
-        return numpy.full(len(places), numpy.inf) if solids is None else solids.distance(places)
+        chosen = {"all": self.shells >= 0, "shells": self.shells, "bodies": ~self.shells}[kind]
+        if not chosen.any():
+            return numpy.full(len(places), numpy.inf)
+        if chosen.all():
+            kind = "all"
+        if kind not in self._measured:
+            from seiche_solids import Solids  # which only pictures need
+
+            self._measured[kind] = Solids(self.solids[chosen], self.lower, self.upper)
+        return self._measured[kind].distance(places)
 
 
 def moved(pieces, run, name, time):
