@@ -12,7 +12,7 @@ SHELL = numpy.array([0.88, 0.91, 0.94])
 TINT = numpy.array([0.45, 0.52, 0.60])  # of the glass in front
 THIN, STEEP = 0.04, 0.45  # its opacity seen straight on and along
 LINE = 0.25  # grey of edges, as those of obstacles
-JUMP = 6.0  # [pixels] in height that is an edge
+JUMP = 15.0  # [pixels] in height that is an edge; less is a slope
 STEPS = 2  # points of a line a pixel
 HIDDEN = 0.18  # opacity of lines behind something
 

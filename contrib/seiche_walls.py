@@ -28,7 +28,8 @@ class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides so
         for cell in frame["cells"][frame["open [-]"][frame["cells"][:, 0]] > 0.5]:
             corners = frame["points"][cell, :dim]
             d = int(numpy.ptp(corners, axis=0).argmin())
-            sides.add((d, int(abs(corners[0, d] - upper[d]) < abs(corners[0, d] - lower[d]))))
+            is_upper = abs(corners[0, d] - upper[d]) < abs(corners[0, d] - lower[d])
+            sides.add((d, int(is_upper)))
         obstacles = numpy.array(box[1:], float).reshape(-1, 2, dim)
         pieces = frame["cells"][parts[frame["cells"][:, 0]] < 0]
         solids = frame["points"][pieces[:, :dim], :dim].astype(float)
