@@ -44,7 +44,8 @@ class Walls(collections.namedtuple("Walls", "lower upper obstacles open_sides so
     @staticmethod
     def without_solids(lower, upper, obstacles, open_sides):
         dim = len(lower)
-        return Walls(numpy.array(lower), numpy.array(upper), numpy.array(obstacles, float).reshape(-1, 2, dim), open_sides,
+        return Walls(numpy.array(lower), numpy.array(upper),
+                     numpy.array(obstacles, float).reshape(-1, 2, dim), open_sides,
                      numpy.zeros((0, dim, dim)), numpy.zeros(0, bool))
 
     @functools.cached_property
