@@ -146,7 +146,8 @@ namespace seiche
             for (const Neighbor &neighbor : follower.neighbors)
               nearby.push_back(
                 {neighbor.way, rounded(level_of(neighbor, level))});
-            values.push_back(level_from(nearby));
+            values.push_back(
+              level_from(nearby, level.local_element(follower.node)));
           }
         for (unsigned int i = 0; i < round.size(); ++i)
           level.local_element(round[i].node) =

@@ -23,6 +23,7 @@ namespace seiche
     {
       double         mean = 0.;
       Tensor<1, dim> centre, slope;
+      Tensor<1, dim> untold; ///< to the node, of what no levels tell
 
       double
       value(const Tensor<1, dim> &way) const
@@ -61,13 +62,15 @@ namespace seiche
       for (const auto &[value, direction] : eigenvectors(square))
         if (value > apart * n)
           result.slope += (direction * product) / value * direction;
+        else
+          result.untold -= (direction * result.centre) * direction;
       return result;
     }
   } // namespace
 
   template <int dim>
   double
-  level_from(std::vector<LevelNearby<dim>> &nearby)
+  level_from(std::vector<LevelNearby<dim>> &nearby, const double own)
   {
     constexpr unsigned int most_rounds  = 10;
     constexpr double       least_slope  = 0.1; // less: there is none
@@ -77,9 +80,16 @@ namespace seiche
     };
     for (LevelNearby<dim> &one : nearby)
       one.counts = true;
-    const Plane<dim> all = fit(nearby);
+    const Plane<dim> all     = fit(nearby);
+    const double     untold  = all.untold.norm();
+    const auto       at_node = [&](const Plane<dim> &plane) {
+      const double value = plane.value(Tensor<1, dim>());
+      const double slope =
+        std::sqrt(std::max(0., 1. - plane.slope.norm_square()));
+      return value + std::copysign(slope * untold, own - value);
+    };
     if (std::none_of(nearby.begin(), nearby.end(), is_known))
-      return all.value(Tensor<1, dim>());
+      return at_node(all);
     for (LevelNearby<dim> &one : nearby)
       one.counts = is_known(one);
     Plane<dim> result;
@@ -89,7 +99,8 @@ namespace seiche
         result = fit(nearby);
         if (result.slope.norm() < likely_slope)
           result.slope = all.slope;
-        if (const double slope = result.slope.norm(); slope > least_slope)
+        if (const double slope = result.slope.norm();
+            untold == 0. && slope > least_slope)
           result.slope /= slope;
         changed = false;
         for (LevelNearby<dim> &one : nearby)
@@ -102,11 +113,11 @@ namespace seiche
               one.counts = counts;
             }
       }
-    return result.value(Tensor<1, dim>());
+    return at_node(result);
   }
 
   template double
-  level_from<2>(std::vector<LevelNearby<2>> &);
+  level_from<2>(std::vector<LevelNearby<2>> &, const double);
   template double
-  level_from<3>(std::vector<LevelNearby<3>> &);
+  level_from<3>(std::vector<LevelNearby<3>> &, const double);
 } // namespace seiche
