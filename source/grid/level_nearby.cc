@@ -81,12 +81,13 @@ namespace seiche
     for (LevelNearby<dim> &one : nearby)
       one.counts = true;
     const Plane<dim> all     = fit(nearby);
-    const double     untold  = all.untold.norm();
     const auto       at_node = [&](const Plane<dim> &plane) {
       const double value = plane.value(Tensor<1, dim>());
-      const double slope =
-        std::sqrt(std::max(0., 1. - plane.slope.norm_square()));
-      return value + std::copysign(slope * untold, own - value);
+      if (!(value > 0. && own < 0.))
+        return value;
+      // a film: down the way that no levels tell
+      const double slope = 1. - all.slope.norm_square();
+      return value - std::sqrt(std::max(0., slope)) * all.untold.norm();
     };
     if (std::none_of(nearby.begin(), nearby.end(), is_known))
       return at_node(all);
@@ -99,8 +100,7 @@ namespace seiche
         result = fit(nearby);
         if (result.slope.norm() < likely_slope)
           result.slope = all.slope;
-        if (const double slope = result.slope.norm();
-            untold == 0. && slope > least_slope)
+        if (const double slope = result.slope.norm(); slope > least_slope)
           result.slope /= slope;
         changed = false;
         for (LevelNearby<dim> &one : nearby)

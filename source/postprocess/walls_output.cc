@@ -65,9 +65,10 @@ namespace seiche
       for (unsigned int cell = 0; cell < occupancy.locator.cells.n_owned();
            ++cell)
         if (solids.cuts(cell))
-          for (const SurfacePiece<dim> &piece :
+          for (SurfacePiece<dim> piece :
                surface_pieces<dim>(level_of_fluid<dim>(solids.distance(cell))))
             {
+              std::swap(piece[0], piece[1]); // turned to the fluid
               DataOutBase::Patch<dim - 1, dim> patch;
               patch.patch_index    = walls.patches.size();
               patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();

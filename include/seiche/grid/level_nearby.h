@@ -22,8 +22,8 @@ namespace seiche
    * through those about it, at least one (doc/theory.md, section 8).
    *
    * One near the end of the level set says that it is there or beyond, for
-   * there (5.0b) has an infinite slope. If all lie on one side of the node, as
-   * beside a film, they do not tell which way is down: @p own, the level of the
+   * there (5.0b) has an infinite slope. If all lie on one side of the node and
+   * are dry, they tell nothing of a film between: @p own, the level of the
    * node's own fill, does.
    */
   template <int dim>
