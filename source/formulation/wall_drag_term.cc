@@ -26,6 +26,8 @@ namespace seiche
       double           e;             // h/beta [m]
       Tensor<1, dim>   rate;          // v = c_r u + this [m/s]
       Tensor<2, dim>   rate_gradient; // its gradient at t_n [1/s]
+      double           end_rate;      // likewise at the end of the step [1/s]
+      Tensor<1, dim>   end;           // [m/s]
     };
 
     /// Of the fluid on the wall: int f.w + Q:grad_n w dA.
@@ -90,7 +92,7 @@ namespace seiche
       const Tensor<2, dim, Number> cof     = cofactor(F);
 
       Forces<dim, Number>    result;
-      Tensor<1, dim, Number> area, way, v, across;
+      Tensor<1, dim, Number> area, way, v, v_end, across;
       for (unsigned int i = 0; i < dim; ++i)
         {
           area[i] = 0.;
@@ -103,7 +105,8 @@ namespace seiche
           way[i] = wall.solid.way.shift[i];
           for (unsigned int j = 0; j < dim; ++j)
             way[i] += wall.solid.way.turn[i][j] * result.place[j];
-          v[i]      = c_r * u[i] + wall.rate[i] - way[i] / wall.step.dt;
+          v[i]     = c_r * u[i] + wall.rate[i] - way[i] / wall.step.dt;
+          v_end[i] = wall.end_rate * u[i] + wall.end[i] - way[i] / wall.step.dt;
           across[i] = c_r * (u[i] - way[i]);
         }
       Tensor<1, dim, Number> m;
@@ -136,8 +139,12 @@ namespace seiche
             c -= L * share / (mu * dA) * T_t;
         }
       if (wall.solid.friction > 0.)
-        result.f += 0.5 * wall.solid.friction * wall.material->density * dA *
-                    norm_of<dim>(v_t) * v_t;
+        {
+          // in the middle of the step it would turn light nodes around
+          const Tensor<1, dim, Number> slip = v_end - (m * v_end) * m;
+          result.f += 0.5 * wall.solid.friction * wall.material->density * dA *
+                      norm_of<dim>(slip) * slip;
+        }
 
       // c.T' = mu (c_i n_j + c_j n_i - 2/3 c.n) dw_i/dx_j
       Tensor<2, dim, Number> Q_t;
@@ -176,9 +183,16 @@ namespace seiche
       result.solid    = (*cell.solids)[wall.solid];
       result.material = cell.wall_material;
       result.step     = cell.coefficients;
-      result.e    = cell.geometry.shortest_edge() / (beta * degree * degree);
-      result.rate = point.value(cell.rate_velocity) -
-                    cell.coefficients.rate * point.value(cell.displacement);
+      result.e = cell.geometry.shortest_edge() / (beta * degree * degree);
+      const StepCoefficients &step = cell.coefficients;
+      const Tensor<1, dim>    u    = point.value(cell.displacement),
+                           rate    = point.value(cell.rate_velocity);
+      result.rate                  = rate - step.rate * u;
+      // v_n+1 = v_n+theta + (1 - theta) dt a
+      const double rest = (1. - step.theta) * step.dt;
+      result.end_rate   = step.rate + rest * step.inertia;
+      result.end =
+        rate + rest * point.value(cell.acceleration) - result.end_rate * u;
       result.rate_gradient =
         point.gradient(cell.rate_velocity) -
         cell.coefficients.rate * point.gradient(cell.displacement);
