@@ -83,7 +83,7 @@ namespace seiche
     const Plane<dim> all     = fit(nearby);
     const auto       at_node = [&](const Plane<dim> &plane) {
       const double value = plane.value(Tensor<1, dim>());
-      if (!(value > 0. && own < near_end))
+      if (!(value > 0. && own < 0.))
         return value;
       // a film: down the way that no levels tell
       const double slope = 1. - all.slope.norm_square();

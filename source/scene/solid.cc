@@ -174,6 +174,8 @@ namespace seiche
         {
           const BoundingBox<dim> box =
             common_box(solid.shape->bounding_box(), domain);
+          if (!(box.volume() > 0.)) // outside
+            continue;
           RigidWay<dim> velocity = solid.velocity();
           velocity *= dt;
           for (const RigidWay<dim> &way :

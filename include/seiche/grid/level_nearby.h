@@ -24,7 +24,7 @@ namespace seiche
    * One near the end of the level set says that it is there or beyond, for
    * there (5.0b) has an infinite slope. If all lie on one side of the node and
    * are dry, they tell nothing of a film between: @p own, the level of the
-   * node's own fill, does: it is empty or not.
+   * node's own fill, does.
    */
   template <int dim>
   double
