@@ -24,10 +24,13 @@ namespace seiche
               std::max(largest, speed / problem.locator.cells.reach(cell)[d]);
           }
       }
-    // now and over a step, which may take a wall there and back
-    const double step = problem.scene.time.step;
-    for (const double dt : {1e-3 * step, step})
-      largest = std::max(largest, problem.wall_way(time, dt) / dt);
+    // Walls now and over a step, which may take them there and back; one that
+    // may move less than the CFL number says is as if it were faster.
+    const auto  &parameters = problem.scene.time;
+    const double faster =
+      std::max(1., parameters.cfl / problem.most_wall_way());
+    for (const double dt : {1e-3 * parameters.step, parameters.step})
+      largest = std::max(largest, faster * problem.wall_way(time, dt) / dt);
     return dealii::Utilities::MPI::max(largest, problem.communicator);
   }
 

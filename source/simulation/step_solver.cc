@@ -13,10 +13,6 @@ namespace seiche
 
   namespace
   {
-    /// Of the largest way of a point in a step, what a wall may move: the grid
-    /// goes with it, and the sum of both counts.
-    constexpr double largest_wall_way = 0.5;
-
     /// Relative change of a full box in a step that is round-off.
     constexpr double largest_volume_change = 1e-10;
 
@@ -80,7 +76,8 @@ namespace seiche
     if (problem.bodies != nullptr)
       problem.bodies->begin(state);
     const double way = problem.wall_way(state.time, state.dt);
-    if (way > largest_wall_way * problem.scene.time.maximum_displacement)
+    constexpr double round_off = 1e-6;
+    if (way > (1. + round_off) * problem.most_wall_way())
       throw StepFailure(fmt::format("a wall moves by {:.3g} cells", way));
     if (problem.grid_motion.any() && walls_squeeze_chamber(state))
       throw NumericalError(fmt::format(

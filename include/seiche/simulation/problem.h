@@ -84,6 +84,14 @@ namespace seiche
     double
     wall_way(const double time, const double dt) const;
 
+    /// What it may be in a step: half of what a point may, for the grid goes
+    /// with the wall and the sum of both counts.
+    double
+    most_wall_way() const
+    {
+      return 0.5 * scene.time.maximum_displacement;
+    }
+
     const Scene<dim> &scene;
     TimerTree        &timer;
     const MPI_Comm    communicator;
