@@ -75,7 +75,7 @@ namespace seiche
     last = NewtonResult();
     if (problem.bodies != nullptr)
       problem.bodies->begin(state);
-    const double way = problem.wall_way(state.time, state.dt);
+    const double     way       = problem.wall_way(state.time, state.dt);
     constexpr double round_off = 1e-6;
     if (way > (1. + round_off) * problem.most_wall_way())
       throw StepFailure(fmt::format("a wall moves by {:.3g} cells", way));
