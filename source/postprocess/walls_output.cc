@@ -43,17 +43,6 @@ namespace seiche
       walls.patches.push_back(patch);
     }
 
-    /// Negative in the fluid, zero at a wall: one along grid lines has its
-    /// pieces in the cells of the fluid.
-    template <int dim>
-    VertexValues<dim>
-    level_of_fluid(VertexValues<dim> distance)
-    {
-      for (double &value : distance)
-        value = -value;
-      return distance;
-    }
-
     /// The walls of solids in own cells, on this rank: triangles as quads.
     template <int dim>
     void
@@ -65,8 +54,9 @@ namespace seiche
       for (unsigned int cell = 0; cell < occupancy.locator.cells.n_owned();
            ++cell)
         if (solids.cuts(cell))
+          // negated: a wall along grid lines is in the cells of the fluid
           for (SurfacePiece<dim> piece :
-               surface_pieces<dim>(level_of_fluid<dim>(solids.distance(cell))))
+               surface_pieces<dim>(negated<dim>(solids.distance(cell))))
             {
               std::swap(piece[0], piece[1]); // turned to the fluid
               DataOutBase::Patch<dim - 1, dim> patch;

@@ -8,6 +8,17 @@ namespace seiche
 
   namespace
   {
+    /// What a force on an arm does along a direction: itself, or its moment.
+    template <int dim>
+    double
+    load_along(const BodyDirection<dim> &way,
+               const Tensor<1, dim>     &arm,
+               const Tensor<1, dim>     &force)
+    {
+      return way.is_angle() ? moment(arm, force)[way.number - dim] :
+                              force[way.number];
+    }
+
     template <int dim>
     std::vector<RigidMotion<dim> *>
     free_motions(const std::vector<Solid<dim>> &solids)
@@ -50,6 +61,7 @@ namespace seiche
     const unsigned int  n = solids.size();
     std::vector<double> sums(n + directions.size(), 0.);
     const double        density = materials.largest().density;
+    const auto          about   = centres(state.time + step.theta * state.dt);
     for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
         const double share = 1. - walls.wet_share(cell);
@@ -63,7 +75,7 @@ namespace seiche
         for (unsigned int i = 0; i < directions.size(); ++i)
           if (solid_of_body[directions[i].body] == solid)
             {
-              Tensor<1, dim> arm = x - centre(directions[i], state);
+              Tensor<1, dim> arm = x - about[i];
               if (dim == 3)
                 arm[directions[i].way.axis()] = 0.;
               sums[n + i] +=
@@ -79,85 +91,75 @@ namespace seiche
 
   template <int dim>
   Point<dim>
-  SolidCoupling<dim>::centre(const Direction      &direction,
-                             const GridState<dim> &state) const
+  SolidCoupling<dim>::centre(const Direction &direction,
+                             const double     time) const
   {
     const RigidMotion<dim> &motion = *direction.motion;
-    return motion.at(state.time + step.theta * state.dt).place(motion.centre);
+    return motion.at(time).place(motion.centre);
+  }
+
+  template <int dim>
+  std::vector<Point<dim>>
+  SolidCoupling<dim>::centres(const double time) const
+  {
+    std::vector<Point<dim>> result;
+    for (const Direction &direction : directions)
+      result.push_back(centre(direction, time));
+    return result;
   }
 
   template <int dim>
   std::vector<double>
   SolidCoupling<dim>::fluid_loads(const GridState<dim> &state) const
   {
-    std::vector<double>     loads(directions.size(), 0.);
-    std::vector<Point<dim>> centres;
-    for (const Direction &direction : directions)
-      centres.push_back(centre(direction, state));
+    std::vector<double> loads(directions.size(), 0.);
+    const auto          about = centres(state.time + step.theta * state.dt);
     state.for_each_solid_reaction([&](const auto &reaction) {
       for (unsigned int i = 0; i < loads.size(); ++i)
         if (solid_of_body[directions[i].body] == reaction.solid)
-          {
-            const BodyDirection<dim> &way = directions[i].way;
-            loads[i] -= way.is_angle() ?
-                          moment(reaction.place - centres[i],
-                                 reaction.force)[way.number - dim] :
-                          reaction.force[way.number];
-          }
+          loads[i] -= load_along<dim>(directions[i].way,
+                                      reaction.place - about[i],
+                                      reaction.force);
     });
     Utilities::MPI::sum(loads, state.mass.get_mpi_communicator(), loads);
     return loads;
   }
 
   template <int dim>
-  double
-  SolidCoupling<dim>::way_of(const Direction      &direction,
-                             const Point<dim>     &place,
-                             const Tensor<1, dim> &normal,
-                             const double          time) const
-  {
-    const BodyDirection<dim> &way = direction.way;
-    if (!way.is_angle())
-      return normal[way.number];
-    const RigidMotion<dim> &motion = *direction.motion;
-    // a unit of it turns the place by its moment about the axis
-    return moment(Tensor<1, dim>(place - motion.at(time).place(motion.centre)),
-                  normal)[way.number - dim];
-  }
-
-  template <int dim>
   std::vector<BodyStop>
   SolidCoupling<dim>::find_stops(const GridState<dim> &state) const
   {
-    const auto           &solids = occupancy.locator.solids;
+    const auto places = solids_nearby(occupancy, state.time, state.dt);
+    if (places.empty())
+      return {};
+    const auto                &solids = occupancy.locator.solids;
+    const auto                 about  = centres(state.time);
+    std::vector<RigidWay<dim>> velocities;
+    for (const Solid<dim> &solid : solids)
+      velocities.push_back(solid.velocity());
     std::vector<BodyStop> result;
-    for (const SolidNearby<dim> &nearby :
-         solids_nearby(occupancy, state.time, state.dt))
+    for (const SolidNearby<dim> &nearby : places)
       {
-        const bool at_wall      = nearby.other == numbers::invalid_unsigned_int;
-        const Tensor<1, dim> &n = nearby.normal;
-        BodyStop              stop;
-        double                restitution = solids[nearby.solid].restitution;
-        stop.rate = n * solids[nearby.solid].velocity().at(nearby.place);
-        if (at_wall)
-          stop.rate -= n * nearby.velocity_of_wall;
-        else
-          {
-            stop.rate -= n * solids[nearby.other].velocity().at(nearby.place);
-            restitution =
-              std::max(restitution, solids[nearby.other].restitution);
-          }
+        const bool at_wall     = nearby.other == numbers::invalid_unsigned_int;
+        double     restitution = solids[nearby.solid].restitution;
+        if (!at_wall)
+          restitution = std::max(restitution, solids[nearby.other].restitution);
+        BodyStop stop;
+        stop.rate = nearby.normal *
+                    (velocities[nearby.solid].at(nearby.place) -
+                     (at_wall ? nearby.velocity_of_wall :
+                                velocities[nearby.other].at(nearby.place)));
         stop.least = -restitution * std::min(0., stop.rate);
-        for (const Direction &direction : directions)
+        for (unsigned int i = 0; i < directions.size(); ++i)
           {
-            const unsigned int solid = solid_of_body[direction.body];
+            const unsigned int solid = solid_of_body[directions[i].body];
             const double       sign  = solid == nearby.solid ? 1. :
                                        solid == nearby.other ? -1. :
                                                                0.;
-            stop.way.push_back(
-              sign == 0. ?
-                0. :
-                sign * way_of(direction, nearby.place, n, state.time));
+            // a unit of an angle moves the place by its moment
+            stop.way.push_back(sign * load_along<dim>(directions[i].way,
+                                                      nearby.place - about[i],
+                                                      nearby.normal));
           }
         result.push_back(std::move(stop));
       }
@@ -171,10 +173,10 @@ namespace seiche
   {
     if (direction.way.is_angle()) // the centre is that of mass
       return 0.;
+    const double time = state.time + step.theta * state.dt;
     return direction.motion->body()->inertia(direction.number) *
-           body_force.value(centre(direction, state),
-                            state.time +
-                              step.theta * state.dt)[direction.way.number];
+           body_force.value(centre(direction, time),
+                            time)[direction.way.number];
   }
 
   template <int dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/space/basis.h>
 #include <seiche/space/mesh_nodes.h>
+#include <seiche/space/surface_pieces.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -147,8 +148,7 @@ namespace seiche
     VertexValues<dim> behind;
     behind.fill(1.);
     if (cuts(cell))
-      for (unsigned int v = 0; v < behind.size(); ++v)
-        behind[v] = -distance(cell)[v];
+      behind = negated<dim>(distance(cell));
     return seiche::hat_integrals<dim>(level, behind);
   }
 

@@ -106,19 +106,6 @@ namespace seiche
         }
     }
 
-    template <int dim>
-    using Simplices = std::array<CellSimplex<dim>, n_cell_simplices<dim>>;
-
-    /// With the distance turned, negative in the fluid as the level set is.
-    template <int dim>
-    Simplices<dim>
-    simplices_of_wall(VertexValues<dim> wall)
-    {
-      for (double &value : wall)
-        value = -value;
-      return cell_simplices<dim>(wall);
-    }
-
     /// action(vertices) on simplices of what both functions leave of one of the
     /// cell's.
     template <int dim, typename Action>
@@ -141,7 +128,7 @@ namespace seiche
                         const CellGeometry<dim> &geometry)
   {
     const auto of_surface = cell_simplices<dim>(surface),
-               of_wall    = simplices_of_wall<dim>(wall_distance);
+               of_wall    = cell_simplices<dim>(negated<dim>(wall_distance));
 
     std::vector<WeightedPoint<dim>> all;
     for (unsigned int s = 0; s < of_wall.size(); ++s)
@@ -171,7 +158,7 @@ namespace seiche
   hat_integrals(const VertexValues<dim> &surface, const VertexValues<dim> &wall)
   {
     const auto of_surface = cell_simplices<dim>(surface),
-               of_wall    = simplices_of_wall<dim>(wall);
+               of_wall    = cell_simplices<dim>(negated<dim>(wall));
     std::vector<WeightedPoint<dim>> points;
     for (unsigned int s = 0; s < of_wall.size(); ++s)
       for_each_part(of_wall[s],

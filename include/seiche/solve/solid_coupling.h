@@ -47,16 +47,13 @@ namespace seiche
     void
     apply(GridState<dim> &state) const override;
 
-    /// Rate of a solid's place along a normal, of a free direction's rate.
-    double
-    way_of(const Direction              &direction,
-           const dealii::Point<dim>     &place,
-           const dealii::Tensor<1, dim> &normal,
-           const double                  time) const;
-
-    /// About what a body turns in the configuration of the forces.
+    /// About what a body turns at a time [s].
     dealii::Point<dim>
-    centre(const Direction &direction, const GridState<dim> &state) const;
+    centre(const Direction &direction, const double time) const;
+
+    /// That of each direction.
+    std::vector<dealii::Point<dim>>
+    centres(const double time) const;
 
     std::vector<unsigned int>  solid_of_body; // number
     const WallConditions<dim> &wall_conditions;

@@ -20,9 +20,19 @@ namespace seiche
   dealii::Tensor<1, dim>
   area_vector(const SurfacePiece<dim> &piece);
 
+  /// A function with its signs exchanged: of distances from walls, positive in
+  /// the fluid, one that is negative there, as level sets are.
+  template <int dim>
+  VertexValues<dim>
+  negated(VertexValues<dim> values)
+  {
+    for (double &value : values)
+      value = -value;
+    return values;
+  }
+
   /// Parts of a piece, whose normals are its own, where the linear function
-  /// with
-  /// these @p values at its vertices is negative.
+  /// with these @p values at its vertices is negative.
   template <int dim>
   std::vector<SurfacePiece<dim>>
   parts_inside(const SurfacePiece<dim>       &piece,
