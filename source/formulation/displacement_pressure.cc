@@ -13,6 +13,7 @@
 #include <seiche/formulation/viscous_term.h>
 #include <seiche/formulation/volume_constraint_term.h>
 #include <seiche/formulation/wall_drag_term.h>
+#include <seiche/formulation/wall_friction_term.h>
 #include <seiche/formulation/wall_term.h>
 
 namespace seiche
@@ -58,6 +59,7 @@ namespace seiche
     const PointInertiaTerm      point_inertia(free_surface.point_inertia);
     const WallTerm              walls;
     const WallDragTerm          wall_drag;
+    const WallFrictionTerm      wall_friction;
     const GhostAccelerationTerm ghost_acceleration(free_surface);
     const GhostPressureTerm     ghost_pressure(free_surface);
 
@@ -71,6 +73,7 @@ namespace seiche
                                       point_inertia,
                                       walls,
                                       wall_drag,
+                                      wall_friction,
                                       ghost_acceleration,
                                       ghost_pressure,
                                       GhostVelocityTerm(free_surface));
@@ -98,6 +101,7 @@ namespace seiche
                           point_inertia,
                           walls,
                           wall_drag,
+                          wall_friction,
                           ghost_acceleration,
                           ghost_pressure);
 

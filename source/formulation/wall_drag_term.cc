@@ -26,8 +26,6 @@ namespace seiche
       double           e;             // h/beta [m]
       Tensor<1, dim>   rate;          // v = c_r u + this [m/s]
       Tensor<2, dim>   rate_gradient; // its gradient at t_n [1/s]
-      double           end_rate;      // likewise at the end of the step [1/s]
-      Tensor<1, dim>   end;           // [m/s]
     };
 
     /// Of the fluid on the wall: int f.w + Q:grad_n w dA.
@@ -92,7 +90,7 @@ namespace seiche
       const Tensor<2, dim, Number> cof     = cofactor(F);
 
       Forces<dim, Number>    result;
-      Tensor<1, dim, Number> area, way, v, v_end, across;
+      Tensor<1, dim, Number> area, way, v, across;
       for (unsigned int i = 0; i < dim; ++i)
         {
           area[i] = 0.;
@@ -105,8 +103,7 @@ namespace seiche
           way[i] = wall.solid.way.shift[i];
           for (unsigned int j = 0; j < dim; ++j)
             way[i] += wall.solid.way.turn[i][j] * result.place[j];
-          v[i]     = c_r * u[i] + wall.rate[i] - way[i] / wall.step.dt;
-          v_end[i] = wall.end_rate * u[i] + wall.end[i] - way[i] / wall.step.dt;
+          v[i]      = c_r * u[i] + wall.rate[i] - way[i] / wall.step.dt;
           across[i] = c_r * (u[i] - way[i]);
         }
       Tensor<1, dim, Number> m;
@@ -138,13 +135,6 @@ namespace seiche
           if (value_of(mu) > 0.)
             c -= L * share / (mu * dA) * T_t;
         }
-      if (wall.solid.friction > 0.)
-        {
-          // in the middle of the step it would turn light nodes around
-          const Tensor<1, dim, Number> slip = v_end - (m * v_end) * m;
-          result.f += 0.5 * wall.solid.friction * wall.material->density * dA *
-                      norm_of<dim>(slip) * slip;
-        }
 
       // c.T' = mu (c_i n_j + c_j n_i - 2/3 c.n) dw_i/dx_j
       Tensor<2, dim, Number> Q_t;
@@ -157,15 +147,6 @@ namespace seiche
         }
       result.Q = Q_t * transpose(inverse);
       return result;
-    }
-
-    /// True if the wall does nothing of this to the fluid.
-    template <int dim, int degree>
-    bool
-    is_smooth(const CellData<dim, degree> &cell, const WallPoint<dim> &wall)
-    {
-      return !cell.fluid.is_viscous() &&
-             !((*cell.solids)[wall.solid].friction > 0.);
     }
 
     template <int dim, int degree>
@@ -188,11 +169,6 @@ namespace seiche
       const Tensor<1, dim>    u    = point.value(cell.displacement),
                            rate    = point.value(cell.rate_velocity);
       result.rate                  = rate - step.rate * u;
-      // v_n+1 = v_n+theta + (1 - theta) dt a
-      const double rest = (1. - step.theta) * step.dt;
-      result.end_rate   = step.rate + rest * step.inertia;
-      result.end =
-        rate + rest * point.value(cell.acceleration) - result.end_rate * u;
       result.rate_gradient =
         point.gradient(cell.rate_velocity) -
         cell.coefficients.rate * point.gradient(cell.displacement);
@@ -204,13 +180,11 @@ namespace seiche
   void
   WallDragTerm::add_cell_residual(CellData<dim, degree> &cell) const
   {
-    if (cell.wall == nullptr)
+    if (cell.wall == nullptr || cell.wall_is_dry || !cell.fluid.is_viscous())
       return;
     PointBatch<dim, degree, double> point;
     for (const WallPoint<dim> &wall : *cell.wall)
       {
-        if (is_smooth(cell, wall))
-          continue;
         const auto at = point_of_wall(cell, wall, beta, point);
         const auto result =
           forces<dim, double>(at,
@@ -236,7 +210,8 @@ namespace seiche
   void
   WallDragTerm::add_cell_tangent(CellData<dim, degree> &cell) const
   {
-    if (cell.wall == nullptr)
+    if (cell.wall == nullptr || cell.wall_is_dry ||
+        !ViscousTerm::in_tangent(cell))
       return;
     // derivatives by u and by its gradient
     constexpr unsigned int n_inputs = dim + dim * dim;
@@ -244,10 +219,6 @@ namespace seiche
     PointBatch<dim, degree, double> point;
     for (const WallPoint<dim> &wall : *cell.wall)
       {
-        if (is_smooth(cell, wall) ||
-            !(ViscousTerm::in_tangent(cell) ||
-              (*cell.solids)[wall.solid].friction > 0.))
-          continue;
         const auto             at = point_of_wall(cell, wall, beta, point);
         const auto             u_values = point.value(cell.displacement);
         const auto             H_values = point.gradient(cell.displacement);

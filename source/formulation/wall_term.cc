@@ -23,7 +23,6 @@ namespace seiche
       double         stiffness;      // of the latter [Pa/m^dim]
       double         pressure;       // [Pa]
 
-
       FluidAtWall(const CellData<dim, degree> &cell,
                   const WallPoint<dim>        &wall,
                   const double                 gamma)
@@ -44,6 +43,8 @@ namespace seiche
         solid_area                = turn * (dA * wall.normal);
         stiffness                 = gamma * cell.geometry.shortest_edge() *
                     cell.fluid.inertia(cell.coefficients.inertia) / dA;
+        if (cell.wall_is_dry)
+          area = 0.; // drops fill no cell
         pressure                     = point.value(cell.pressure);
         const Tensor<2, dim> inverse = invert(F);
         for (unsigned int a = 0; a < point.n_nodes; ++a)
@@ -55,21 +56,31 @@ namespace seiche
             }
       }
 
-      /// (u - g).area, of one of both, by the displacement of node b along k.
-      double
+      /// (u - g).area, of one of both, by the displacements of the nodes along
+      /// k.
+      Row<Basis<dim, degree>::n_nodes>
       through_slope(const CellData<dim, degree> &cell,
                     const Tensor<1, dim>        &of_area,
-                    const unsigned int           k,
-                    const unsigned int           b) const
+                    const unsigned int           k) const
       {
-        double along = 0.; // gradient.(u - g)
-        for (unsigned int i = 0; i < dim; ++i)
-          along += gradient_t[i][b] * relative[i];
-        return point.N[b] * (of_area * relative_slope)[k] +
+        auto along = relative[0] * load_row(gradient_t[0]); // gradient.(u - g)
+        for (unsigned int i = 1; i < dim; ++i)
+          along += relative[i] * load_row(gradient_t[i]);
+        return (of_area * relative_slope)[k] * load_row(point.N) +
                cell.coefficients.theta *
-                 ((of_area * relative) * gradient_t[k][b] - of_area[k] * along);
+                 ((of_area * relative) * load_row(gradient_t[k]) -
+                  of_area[k] * along);
       }
     };
+
+    /// N_a row_b to a block of the cell's matrix.
+    template <unsigned int n>
+    void
+    add_product(double (&block)[n][n], const double (&N)[n], const Row<n> &row)
+    {
+      for (unsigned int a = 0; a < n; ++a)
+        store_row(load_row(block[a]) + N[a] * row, block[a]);
+    }
   } // namespace
 
   template <int dim, int degree>
@@ -86,12 +97,11 @@ namespace seiche
           fluid.pressure * fluid.area + fluid.stiffness *
                                           (fluid.solid_area * fluid.relative) *
                                           fluid.solid_area;
-        for (unsigned int a = 0; a < cell.n_nodes; ++a)
-          {
-            for (unsigned int i = 0; i < dim; ++i)
-              cell.residual_u[i][a] += fluid.point.N[a] * force[i];
-            cell.residual_p[a] -= fluid.point.N[a] * through;
-          }
+        const auto N = load_row(fluid.point.N);
+        for (unsigned int i = 0; i < dim; ++i)
+          store_row(load_row(cell.residual_u[i]) + force[i] * N,
+                    cell.residual_u[i]);
+        store_row(load_row(cell.residual_p) - through * N, cell.residual_p);
         cell.solid_reactions.push_back(
           {wall.solid, fluid.place, -force, -(force * fluid.way_of_wall)});
       }
@@ -112,28 +122,24 @@ namespace seiche
         const auto                    &n_t = fluid.area;
         const auto                    &m_t = fluid.solid_area;
         const double                   gap = m_t * fluid.relative;
-        for (unsigned int b = 0; b < cell.n_nodes; ++b)
-          for (unsigned int k = 0; k < dim; ++k)
-            {
-              const double of_volume = fluid.through_slope(cell, n_t, k, b),
-                           of_gap    = fluid.through_slope(cell, m_t, k, b);
-              for (unsigned int i = 0; i < dim; ++i)
-                {
-                  const double of_force =
-                    theta * fluid.pressure *
-                      (n_t[i] * g[k][b] - n_t[k] * g[i][b]) +
-                    fluid.stiffness *
-                      (of_gap * m_t[i] +
-                       theta * gap * (m_t[i] * g[k][b] - m_t[k] * g[i][b]));
-                  for (unsigned int a = 0; a < cell.n_nodes; ++a)
-                    cell.uu[i][k][a][b] += N[a] * of_force;
-                }
-              for (unsigned int a = 0; a < cell.n_nodes; ++a)
-                {
-                  cell.up[k][a][b] += N[a] * N[b] * n_t[k];
-                  cell.pu[k][a][b] -= N[a] * of_volume;
-                }
-            }
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            const auto of_gap = fluid.through_slope(cell, m_t, k);
+            const auto g_k    = load_row(g[k]);
+            for (unsigned int i = 0; i < dim; ++i)
+              {
+                const auto g_i = load_row(g[i]);
+                add_product(cell.uu[i][k],
+                            N,
+                            theta * fluid.pressure *
+                                (n_t[i] * g_k - n_t[k] * g_i) +
+                              fluid.stiffness *
+                                (m_t[i] * of_gap +
+                                 theta * gap * (m_t[i] * g_k - m_t[k] * g_i)));
+              }
+            add_product(cell.up[k], N, n_t[k] * load_row(N));
+            add_product(cell.pu[k], N, -fluid.through_slope(cell, n_t, k));
+          }
       }
   }
 

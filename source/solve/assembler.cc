@@ -121,7 +121,7 @@ namespace seiche
     sum_residual(state,
                  residual,
                  [this](const unsigned int cell, const auto &unknowns) {
-                   return fill.wall(cell) != nullptr ||
+                   return occupancy.mesh_nodes.cut_walls.cuts(cell) ||
                           unknowns.zeros != nullptr ||
                           occupancy.constraints.any_fixed(unknowns) != 0;
                  });

@@ -21,7 +21,11 @@ namespace seiche
     data.extent_inertia =
       data.fluid.mass(fill.extent_moment(cell)) * data.geometry.measure;
     quadrature.get(cell, data.quadrature);
-    data.wall          = fill.wall(cell);
+    const auto &walls = occupancy.mesh_nodes.cut_walls;
+    data.wall         = fill.wall(cell);
+    data.wall_is_dry  = data.wall == nullptr && walls.cuts(cell);
+    if (data.wall_is_dry)
+      data.wall = &walls.whole(cell).wall;
     data.solids        = &state.solids;
     data.wall_material = &materials.of_cell(cell);
     data.solid_reactions.clear();

@@ -2,7 +2,10 @@
 #include <seiche/space/compressed_rule.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace seiche
 {
@@ -36,8 +39,43 @@ namespace seiche
       return result;
     }
 
+    /// Points of one place are one: neighbouring simplices share theirs.
+    template <int dim>
+    std::vector<WeightedPoint<dim>>
+    merged(const std::vector<WeightedPoint<dim>> &points)
+    {
+      constexpr double per_unit = 1e9; // closer is the same
+      struct Place
+      {
+        std::array<long, dim> x;
+        unsigned int          point;
+
+        bool
+        operator<(const Place &other) const
+        {
+          return std::tie(x, point) < std::tie(other.x, other.point);
+        }
+      };
+      std::vector<Place> places(points.size());
+      for (unsigned int p = 0; p < points.size(); ++p)
+        {
+          places[p].point = p;
+          for (unsigned int d = 0; d < dim; ++d)
+            places[p].x[d] = std::lround(points[p].unit[d] * per_unit);
+        }
+      std::sort(places.begin(), places.end());
+      std::vector<WeightedPoint<dim>> result;
+      for (unsigned int p = 0; p < places.size(); ++p)
+        if (p > 0 && places[p].x == places[p - 1].x)
+          result.back().weight += points[places[p].point].weight;
+        else
+          result.push_back(points[places[p].point]);
+      return result;
+    }
+
     /// Weights that change no moment: the null space of the matrix whose
-    /// columns these are, by Gauss-Jordan elimination with complete pivoting.
+    /// columns these are, by Gauss-Jordan elimination with the largest entry of
+    /// each row as its pivot.
     std::vector<Row>
     null_space(const std::vector<Row> &columns)
     {
@@ -46,32 +84,27 @@ namespace seiche
       for (unsigned int i = 0; i < n_rows; ++i)
         for (unsigned int j = 0; j < n; ++j)
           A[i][j] = columns[j][i];
-      std::vector<unsigned int> pivots; // column of each row
-      std::vector<char>         is_pivot(n, 0);
+      std::vector<char>                                  is_pivot(n, 0);
+      std::vector<std::pair<unsigned int, unsigned int>> pivots; // row, column
       for (unsigned int row = 0; row < n_rows; ++row)
         {
-          unsigned int best_i = row, best_j = n;
-          double       best = dependent;
-          for (unsigned int i = row; i < n_rows; ++i)
-            for (unsigned int j = 0; j < n; ++j)
-              if (!is_pivot[j] && std::abs(A[i][j]) > best)
-                {
-                  best   = std::abs(A[i][j]);
-                  best_i = i;
-                  best_j = j;
-                }
-          if (best_j == n)
-            break;
-          std::swap(A[row], A[best_i]);
-          const double inverse = 1. / A[row][best_j];
+          const auto less = [](const double a, const double b) {
+            return std::abs(a) < std::abs(b);
+          };
+          const auto largest =
+            std::max_element(A[row].begin(), A[row].end(), less);
+          if (!(std::abs(*largest) > dependent))
+            continue;
+          const unsigned int column  = largest - A[row].begin();
+          const double       inverse = 1. / *largest;
           for (double &entry : A[row])
             entry *= inverse;
           for (unsigned int i = 0; i < n_rows; ++i)
-            if (const double factor = A[i][best_j]; i != row && factor != 0.)
+            if (const double factor = A[i][column]; i != row && factor != 0.)
               for (unsigned int j = 0; j < n; ++j)
                 A[i][j] -= factor * A[row][j];
-          is_pivot[best_j] = 1;
-          pivots.push_back(best_j);
+          is_pivot[column] = 1;
+          pivots.emplace_back(row, column);
         }
       std::vector<Row> result;
       for (unsigned int j = 0; j < n; ++j)
@@ -79,8 +112,8 @@ namespace seiche
           {
             Row null(n, 0.);
             null[j] = 1.;
-            for (unsigned int row = 0; row < pivots.size(); ++row)
-              null[pivots[row]] = -A[row][j];
+            for (const auto &[row, column] : pivots)
+              null[column] = -A[row][j];
             result.push_back(std::move(null));
           }
       return result;
@@ -154,7 +187,7 @@ namespace seiche
 
     std::vector<WeightedPoint<dim>> result;
     std::vector<Row>                columns;
-    for (const auto &point : points)
+    for (const WeightedPoint<dim> &point : merged(points))
       {
         result.push_back(point);
         columns.push_back(monomials(scaled(point.unit), degree));

@@ -40,7 +40,9 @@ namespace seiche
                                 ///< formulation/point_inertia_term.h
     CellQuadrature<dim> quadrature;
     /// Of solids, where there is fluid at it; null: none.
-    const std::vector<WallPoint<dim>>   *wall          = nullptr;
+    const std::vector<WallPoint<dim>> *wall = nullptr;
+    /// There are but drops in the cell, to which the wall is all of it.
+    bool                                 wall_is_dry   = false;
     const std::vector<SolidInStep<dim>> *solids        = nullptr; ///< by number
     const Material                      *wall_material = nullptr; ///< at it
 

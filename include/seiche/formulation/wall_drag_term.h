@@ -14,8 +14,7 @@ namespace seiche
    *
    *     R_u += int - T_n w_n - v_n T'_n + (mu/e) v_n w_n
    *              + {- e T_t.w_t - e v_t.T'_t + mu v_t.w_t
-   *                 - (L e/mu) T_t.T'_t}/(L + e) dA
-   *              + int c_f/2 rho |v_t| v_t.w_t dA,
+   *                 - (L e/mu) T_t.T'_t}/(L + e) dA,
    *
    * L the slip length: zero where the fluid sticks; infinite, and so without
    * the second line, where it slips. All of it in the configuration of the
