@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/parameters/input_file.h>
+#include <seiche/parameters/nearest_name.h>
 #include <seiche/scene/solid.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -115,6 +116,35 @@ namespace seiche
   }
 
   template <int dim>
+  void
+  add_moorings(const std::vector<MooringParameters<dim>> &moorings,
+               const InputFile                           &input,
+               std::vector<Solid<dim>>                   &solids)
+  {
+    std::vector<std::string> free;
+    for (const Solid<dim> &solid : solids)
+      if (solid.is_free())
+        free.push_back(solid.name);
+    for (const auto &parameters : moorings)
+      {
+        const auto held = std::find_if(solids.begin(),
+                                       solids.end(),
+                                       [&](const Solid<dim> &solid) {
+                                         return solid.name == parameters.solid;
+                                       });
+        input.require(held != solids.end() && held->is_free(),
+                      parameters.path("Solid"),
+                      free.empty() ?
+                        "no solid is moved by the fluid: a mooring holds one "
+                        "with Solid NAME/Free." :
+                        "not a solid that the fluid moves; these are " +
+                          quoted_list(free) +
+                          nearest_hint(parameters.solid, free) + ".");
+        held->moorings.push_back(parameters.make(input));
+      }
+  }
+
+  template <int dim>
   Solid<dim>
   Solid<dim>::at(const double other_time) const
   {
@@ -216,7 +246,10 @@ namespace seiche
     const BoundingBox<dim> &,                                               \
     const std::vector<ShapeParameters<dim>> &,                              \
     const double,                                                           \
-    const double);
+    const double);                                                          \
+  template void add_moorings(const std::vector<MooringParameters<dim>> &,   \
+                             const InputFile &,                             \
+                             std::vector<Solid<dim>> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

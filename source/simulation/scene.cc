@@ -27,6 +27,9 @@ namespace seiche
       shapes.emplace_back(ShapeParameters<dim>::subsection_of(name));
     for (const std::string &name : input.instances(SolidParameters<dim>::kind))
       solids.emplace_back(name);
+    for (const std::string &name :
+         input.instances(MooringParameters<dim>::kind))
+      moorings.emplace_back(name);
     for (const std::string &name : input.instances(TableParameters::kind))
       {
         tables.emplace_back();
@@ -55,6 +58,8 @@ namespace seiche
       shape.add_subsection(prm);
     for (auto &solid : solids)
       solid.add_parameters(prm);
+    for (auto &mooring : moorings)
+      mooring.add_parameters(prm);
     for (auto &body : bodies)
       body.add_parameters(prm);
     seeding.add_parameters(prm);
@@ -157,6 +162,10 @@ namespace seiche
           add_columns(solid.motion, solid.name);
           for (const auto direction : solid.motion.body.directions(input))
             names.push_back(direction.column_of_stop(solid.name));
+          for (const auto &mooring : moorings)
+            if (mooring.solid == solid.name)
+              for (const auto &column : Mooring<dim>::columns(mooring.name))
+                names.push_back(column);
         }
     const auto account = PointControl<dim>::account_names(point_control);
     names.insert(names.end(), account.begin(), account.end());

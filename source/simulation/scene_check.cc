@@ -121,6 +121,7 @@ namespace seiche
     require_all(of_sections);
     grid.solids = make_solids(
       solids, input_file, grid.domain(), shapes, time.end_time, time.step);
+    add_moorings(moorings, input_file, grid.solids);
     check_materials(input_file);
     check_choices(input_file);
     check_scheme(*this);

@@ -128,6 +128,10 @@ namespace seiche
               add_freedoms(*solid.motion, time, values);
               for (const auto &freedom : solid.motion->body()->freedoms())
                 values.push_back(freedom.stop);
+              for (const Mooring<dim> &mooring : solid.moorings)
+                for (const double value :
+                     mooring.values(solid.motion->at(time)))
+                  values.push_back(value);
             }
         }
     for (const auto &change : problem.point_control.account())

@@ -171,12 +171,40 @@ namespace seiche
   SolidCoupling<dim>::further_load(const Direction      &direction,
                                    const GridState<dim> &state) const
   {
+    return weight(direction, state) + mooring_load(direction, state);
+  }
+
+  template <int dim>
+  double
+  SolidCoupling<dim>::weight(const Direction      &direction,
+                             const GridState<dim> &state) const
+  {
     if (direction.way.is_angle()) // the centre is that of mass
       return 0.;
     const double time = state.time + step.theta * state.dt;
     return direction.motion->body()->inertia(direction.number) *
            body_force.value(centre(direction, time),
                             time)[direction.way.number];
+  }
+
+  template <int dim>
+  double
+  SolidCoupling<dim>::mooring_load(const Direction      &direction,
+                                   const GridState<dim> &state) const
+  {
+    const auto &solids = occupancy.locator.solids;
+    const auto &list   = solids[solid_of_body[direction.body]].moorings;
+    if (list.empty())
+      return 0.;
+    const double         middle = state.time + 0.5 * state.dt;
+    const Placement<dim> body   = direction.motion->at(middle);
+    const Point<dim>     about  = centre(direction, middle);
+    double               result = 0.;
+    for (const Mooring<dim> &mooring : list)
+      result += load_along<dim>(direction.way,
+                                body.place(mooring.fairlead) - about,
+                                mooring.force(body));
+    return result;
   }
 
   template <int dim>

@@ -2,6 +2,7 @@
 #ifndef seiche_scene_solid_h
 #define seiche_scene_solid_h
 
+#include <seiche/scene/mooring.h>
 #include <seiche/scene/rigid_motion.h>
 #include <seiche/scene/shape_parameters.h>
 
@@ -29,6 +30,8 @@ namespace seiche
     /// as small as the cells allow [m].
     double stop_distance = 0.;
     double restitution   = 0.; ///< rate after over before a stop [-]
+
+    std::vector<Mooring<dim>> moorings; ///< of a free one
 
     std::shared_ptr<RigidMotion<dim>> motion; ///< null: at rest
     SharedShape<dim>                  shape_at_start;
@@ -62,6 +65,13 @@ namespace seiche
     double        friction    = 0.;
     double        slip_length = std::numeric_limits<double>::infinity();
   };
+
+  /// Tie solids down. InputError for what holds none.
+  template <int dim>
+  void
+  add_moorings(const std::vector<MooringParameters<dim>> &moorings,
+               const InputFile                           &input,
+               std::vector<Solid<dim>>                   &solids);
 
   /// True if one of them moves.
   template <int dim>

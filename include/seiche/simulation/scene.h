@@ -80,6 +80,7 @@ namespace seiche
     std::vector<Material>                 materials; ///< of all, by number
     std::vector<ShapeParameters<dim>>     shapes;    ///< parts of others
     std::vector<SolidParameters<dim>>     solids;
+    std::vector<MooringParameters<dim>>   moorings;
     std::vector<FluidBodyParameters<dim>> bodies;
     SeedingParameters                     seeding;
     PointControlParameters                point_control;

@@ -44,6 +44,12 @@ namespace seiche
     further_load(const Direction      &direction,
                  const GridState<dim> &state) const override;
 
+    /// Of a body's weight, and of its moorings.
+    double
+    weight(const Direction &direction, const GridState<dim> &state) const;
+    double
+    mooring_load(const Direction &direction, const GridState<dim> &state) const;
+
     void
     apply(GridState<dim> &state) const override;
 
