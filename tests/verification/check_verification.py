@@ -197,7 +197,7 @@ def walls_in_a_cell(runner):
     def run(settings):
         return runner.run("verification/wall_position", settings)
 
-    places = (0, 0.001, 0.1, 0.26, 0.42, 0.5, 0.58, 0.74, 0.9, 0.999)
+    places = (0, 0.001, 0.1, 0.22, 0.42, 0.5, 0.58, 0.74, 0.9, 0.999)
     limits = {0: {"forces": 0.0015, "mean forces": 0.0006, "off theory": 0.0056},
               30: {"forces": 0.0156, "mean forces": 0.002}}
     aligned, failed = None, []
