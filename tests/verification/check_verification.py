@@ -92,6 +92,23 @@ def impulse_of_walls(output):
     return errors
 
 
+def energy_of_bodies(output):
+    """Largest change of the water's energy less the work of the solids, which
+    is the loss of water and bodies together, over the largest kinetic energy
+    of the water; and the scores of the scene."""
+    with open(f"{output}/statistics.csv", encoding="utf-8") as file:
+        rows = [{name: float(value) for name, value in row.items() if value}
+                for row in csv.DictReader(file)]
+    with open(f"{output}/summary.json", encoding="utf-8") as file:
+        errors = json.load(file)["errors"]
+    energies = [row["kinetic energy [J]"] + row["potential energy [J]"]
+                - sum(row[name] for name in row if name.startswith("work of "))
+                for row in rows]
+    scale = max(row["kinetic energy [J]"] for row in rows)
+    largest = max(abs(energy - energies[0]) for energy in energies)
+    return {**errors, "energy": largest / scale}
+
+
 def size(summary, name):
     """Size of a score, or of a number given by its path in summary.json."""
     if name in summary["errors"]:
