@@ -23,6 +23,7 @@ namespace seiche
     wet.update_ghost_values();
     level_at_walls.reinit(wet);
     Vector result(wet_fill);
+    // nodes without any fluid are dry, whatever solids hold of their hats
     for (unsigned int round = 0; round < n_continuations; ++round)
       {
         set_level(result);
@@ -40,7 +41,8 @@ namespace seiche
             }
         dry.compress(VectorOperation::add);
         for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
-          if (const double whole = whole_volume(i); whole > 0.)
+          if (const double whole = whole_volume(i);
+              whole > 0. && wet_fill.local_element(i) > 0.)
             result.local_element(i) = wet_share(i) * wet_fill.local_element(i) +
                                       dry.local_element(i) / whole;
       }
