@@ -67,7 +67,8 @@ namespace seiche
   Surface<dim>::update(const Vector &nodal_fill)
   {
     level.reinit(occupancy.nodes.partitioner());
-    follow(walls().exist() ? continued_fill(nodal_fill) : nodal_fill);
+    set_level(walls().exist() ? continued_fill(nodal_fill) : nodal_fill);
+    follow(nodal_fill);
     represented.reinit(level);
     for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       if (const double fill = nodal_fill.local_element(i); fill > 0.)
@@ -91,7 +92,6 @@ namespace seiche
   void
   Surface<dim>::follow(const Vector &fill)
   {
-    set_level(fill);
     cut_cells(/*at_walls=*/false);
     integrate(/*at_walls=*/false);
     for (unsigned int i = 0; i < n_corrections; ++i)
@@ -198,11 +198,19 @@ namespace seiche
     double of_vertices[point.n_nodes];
     for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       {
-        if (shares[cell] == 0.)
+        if (shares[cell] == 0. || walls().wet_share(cell) == 0.)
           continue;
         std::fill(std::begin(of_vertices), std::end(of_vertices), 0.);
         const double measure = locator.cells.geometry(cell).measure;
-        if (rule_of_cell[cell] == numbers::invalid_unsigned_int)
+        if (!at_walls && walls().cuts(cell))
+          {
+            const VertexValues<dim> hats =
+              hat_integrals<dim>(rounded<dim>(level_in(cell)),
+                                 walls().distance(cell));
+            for (unsigned int v = 0; v < point.n_nodes; ++v)
+              of_vertices[v] = hats[v] * measure;
+          }
+        else if (rule_of_cell[cell] == numbers::invalid_unsigned_int)
           std::fill(std::begin(of_vertices),
                     std::end(of_vertices),
                     measure / point.n_nodes);
@@ -219,7 +227,7 @@ namespace seiche
     inside_fill.compress(VectorOperation::add);
     for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       if (const double volume =
-            at_walls ? occupancy.nodes.volume(i) : whole_volume(i);
+            occupancy.nodes.volume(i);
           volume > 0.)
         inside_fill.local_element(i) /= volume;
   }

@@ -81,7 +81,7 @@ namespace seiche
     level_in(const unsigned int cell) const;
 
   private:
-    /// The level set from the fill of whole hats, and its corrections.
+    /// Correct the level set until the wet part of the inside has this fill.
     /// Collective.
     void
     follow(const Vector &fill);
@@ -91,7 +91,8 @@ namespace seiche
     void
     cut_cells(const bool at_walls);
 
-    /// Nodal fill of the inside, likewise. Collective.
+    /// Nodal fill of the inside, of its wet part; @p at_walls: by the rules of
+    /// what solids leave of cells. Collective.
     void
     integrate(const bool at_walls);
 
