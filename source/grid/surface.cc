@@ -226,9 +226,7 @@ namespace seiche
       }
     inside_fill.compress(VectorOperation::add);
     for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
-      if (const double volume =
-            occupancy.nodes.volume(i);
-          volume > 0.)
+      if (const double volume = occupancy.nodes.volume(i); volume > 0.)
         inside_fill.local_element(i) /= volume;
   }
 

@@ -29,6 +29,31 @@ namespace seiche
       };
       return std::max(0., from_top(upper - top) - from_top(lower - top));
     }
+
+    /// The bottom of the domain at a place, or the solid that stands on it [m].
+    template <int dim>
+    double
+    bottom(const StepView<dim> &view, Point<dim> place)
+    {
+      constexpr unsigned int most_steps = 1000;
+      constexpr double       at_surface = 1e-6; // of the domain's height
+      const auto            &solids     = view.occupancy.locator.solids;
+      const auto            &corners    = view.box.get_boundary_points();
+      const double           top        = corners.second[dim - 1];
+      const double slack = at_surface * (top - corners.first[dim - 1]);
+      place[dim - 1]     = corners.first[dim - 1];
+      if (!solids.empty())
+        for (unsigned int i = 0; i < most_steps && place[dim - 1] < top; ++i)
+          {
+            // no surface is nearer than that
+            const double depth =
+              -nearest_solid(solids, place)->shape->distance(place);
+            if (!(depth > slack))
+              break;
+            place[dim - 1] = std::min(top, place[dim - 1] + depth);
+          }
+      return place[dim - 1];
+    }
   } // namespace
 
   template <int dim>
@@ -185,9 +210,11 @@ namespace seiche
         const double *found = &level[3 * g];
         const double  fluid =
           found[0] == Extent<dim>::none ? found[1] : found[0];
-        const double water = fluid == Extent<dim>::none ?
-                               view.box.get_boundary_points().first[dim - 1] :
-                               fluid;
+        const double water =
+          fluid == Extent<dim>::none ?
+            bottom(view,
+                   place_with_walls(view, gauges[g].position, /*theta=*/1.)) :
+            fluid;
         statistics.set(columns[0], water);
         statistics.set(columns[1], depth[g]);
         statistics.set(columns[2], std::max(water, found[2]));

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <tuple>
-#include <utility>
 
 namespace seiche
 {
@@ -74,8 +73,7 @@ namespace seiche
     }
 
     /// Weights that change no moment: the null space of the matrix whose
-    /// columns these are, by Gauss-Jordan elimination with the largest entry of
-    /// each row as its pivot.
+    /// columns these are, by Gauss-Jordan elimination with complete pivoting.
     std::vector<Row>
     null_space(const std::vector<Row> &columns)
     {
@@ -84,27 +82,32 @@ namespace seiche
       for (unsigned int i = 0; i < n_rows; ++i)
         for (unsigned int j = 0; j < n; ++j)
           A[i][j] = columns[j][i];
-      std::vector<char>                                  is_pivot(n, 0);
-      std::vector<std::pair<unsigned int, unsigned int>> pivots; // row, column
+      std::vector<unsigned int> pivots; // column of each row
+      std::vector<char>         is_pivot(n, 0);
       for (unsigned int row = 0; row < n_rows; ++row)
         {
-          const auto less = [](const double a, const double b) {
-            return std::abs(a) < std::abs(b);
-          };
-          const auto largest =
-            std::max_element(A[row].begin(), A[row].end(), less);
-          if (!(std::abs(*largest) > dependent))
-            continue;
-          const unsigned int column  = largest - A[row].begin();
-          const double       inverse = 1. / *largest;
+          unsigned int best_i = row, best_j = n;
+          double       best = dependent;
+          for (unsigned int i = row; i < n_rows; ++i)
+            for (unsigned int j = 0; j < n; ++j)
+              if (!is_pivot[j] && std::abs(A[i][j]) > best)
+                {
+                  best   = std::abs(A[i][j]);
+                  best_i = i;
+                  best_j = j;
+                }
+          if (best_j == n)
+            break;
+          std::swap(A[row], A[best_i]);
+          const double inverse = 1. / A[row][best_j];
           for (double &entry : A[row])
             entry *= inverse;
           for (unsigned int i = 0; i < n_rows; ++i)
-            if (const double factor = A[i][column]; i != row && factor != 0.)
+            if (const double factor = A[i][best_j]; i != row && factor != 0.)
               for (unsigned int j = 0; j < n; ++j)
                 A[i][j] -= factor * A[row][j];
-          is_pivot[column] = 1;
-          pivots.emplace_back(row, column);
+          is_pivot[best_j] = 1;
+          pivots.push_back(best_j);
         }
       std::vector<Row> result;
       for (unsigned int j = 0; j < n; ++j)
@@ -112,8 +115,8 @@ namespace seiche
           {
             Row null(n, 0.);
             null[j] = 1.;
-            for (const auto &[row, column] : pivots)
-              null[column] = -A[row][j];
+            for (unsigned int row = 0; row < pivots.size(); ++row)
+              null[pivots[row]] = -A[row][j];
             result.push_back(std::move(null));
           }
       return result;

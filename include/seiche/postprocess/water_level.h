@@ -38,15 +38,16 @@ namespace seiche
   /**
    * @brief Height of the water at a place, as a wave gauge sees it.
    *
-   * The level is that of the fluid (FluidExtent); the bottom of the domain if
-   * there is none. A gauge on a wall that moves goes with it. The spray, if it
-   * is above it, is the highest within the width on either side (in every
-   * horizontal direction). The depth is a mean of the volume of water per area,
-   * which a single drop hardly changes, with weights that fall linearly to zero
-   * at that distance (with equal weights the depth of still water depended on
-   * where the gauge stood between the points). Beside an obstacle that stands
-   * on the bottom, water and area beside it count; on it, those over it.
-   * Vertical is the last direction.
+   * The level is that of the fluid (FluidExtent); if there is none that of the
+   * bottom, of the domain or of a solid that stands on it. A gauge on a wall
+   * that moves goes with it. The spray, if it is above it, is the highest
+   * within the width on either side (in every horizontal direction). The depth
+   * is a mean of the volume of water per area, which a single drop hardly
+   * changes, with weights that fall linearly to zero at that distance (with
+   * equal weights the depth of still water depended on where the gauge stood
+   * between the points). Beside an obstacle that stands on the bottom, water
+   * and area beside it count; on it, those over it. Vertical is the last
+   * direction.
    */
   template <int dim>
   class WaterLevel : public Postprocessor<dim>
