@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reference of turned_patch.prm and aligned_patch.prm.
 
-    build/seiche prm/verification/aligned_patch.prm --output /tmp/aligned_patch \\
+    build/seiche prm/verification/aligned_patch.prm --output results/aligned_patch \\
         --set "Grid/Cell size = 0.0125" --set "Time/Step = 0.00625"
-    prm/verification/turned_patch.py /tmp/aligned_patch
+    prm/verification/turned_patch.py results/aligned_patch
 
 writes reference/turned_patch.csv from that run: velocities at two places at each 0.025 s,
 in the axes of the patch and turned by 30 degrees.
