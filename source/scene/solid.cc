@@ -127,19 +127,19 @@ namespace seiche
         free.push_back(solid.name);
     for (const auto &parameters : moorings)
       {
-        const auto held = std::find_if(solids.begin(),
+        const auto        held = std::find_if(solids.begin(),
                                        solids.end(),
                                        [&](const Solid<dim> &solid) {
                                          return solid.name == parameters.solid;
                                        });
+        const std::string hint = nearest_hint(parameters.solid, free);
         input.require(held != solids.end() && held->is_free(),
                       parameters.path("Solid"),
                       free.empty() ?
                         "no solid is moved by the fluid: a mooring holds one "
                         "with Solid NAME/Free." :
                         "not a solid that the fluid moves; these are " +
-                          quoted_list(free) +
-                          nearest_hint(parameters.solid, free) + ".");
+                          quoted_list(free) + (hint.empty() ? "." : hint));
         held->moorings.push_back(parameters.make(input));
       }
   }

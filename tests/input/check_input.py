@@ -59,6 +59,9 @@ def added(text):
 LAST = SCENE.count("\n")
 SOLID = ("subsection Solid ball\n  set Shape = ball\n  set Centre = 0.8, 0.25\n"
          "  set Radius = 0.1\nend\n")
+FREE_SOLID = SOLID.replace("end\n", "  set Free = x\n  set Inertia = 10\nend\n")
+MOORING = ("subsection Mooring bow\n  set Solid = ball\n  set Fairlead = 0.7, 0.25\n"
+           "  set Weight = 10\n  set Axial stiffness = 1e5\nend\n")
 # to go before an "end"
 PERIODIC = "subsection Walls\n  set Left = periodic\n  set Right = periodic\n"
 
@@ -206,6 +209,15 @@ VALUES = [
          line=None, expect=['"Shape" in "Solid ball"', "cut cells"]),
     Case("solid with the name of a side", **added(SOLID.replace("Solid ball", "Solid left")),
          line=None, expect=['"Shape" in "Solid left"', "rename"]),
+    Case("mooring of a solid that stays", **added(SOLID + MOORING),
+         line=None, expect=['"Solid" in "Mooring bow"', "no solid is moved by the fluid"]),
+    Case("mooring of no solid", **added(FREE_SOLID + MOORING.replace("= ball", "= bal")),
+         line=None, expect=['"Solid" in "Mooring bow"', 'did you mean "ball"']),
+    Case("mooring without length", **added(FREE_SOLID + MOORING),
+         line=None, expect=['"Length" in "Mooring bow"', "greater than zero"]),
+    Case("mooring without anchor",
+         **added(FREE_SOLID + MOORING.replace("end\n", "  set Length = 1\nend\n")),
+         line=None, expect=['"Anchor" in "Mooring bow"', "is needed"]),
     Case("solid between periodic sides",
          **added(SOLID + "subsection Walls\n  set Left = periodic\n"
                  "  set Right = periodic\nend\n"),
