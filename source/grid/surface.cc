@@ -215,13 +215,11 @@ namespace seiche
                     std::end(of_vertices),
                     measure / point.n_nodes);
         else
-          for_each_point(cell,
-                         at_walls,
-                         [&](const Point<dim> &x, const double weight) {
-                           point.reinit_values(x);
-                           for (unsigned int v = 0; v < point.n_nodes; ++v)
-                             of_vertices[v] += point.N[v] * weight * measure;
-                         });
+          for_each_point(cell, [&](const Point<dim> &x, const double weight) {
+            point.reinit_values(x);
+            for (unsigned int v = 0; v < point.n_nodes; ++v)
+              of_vertices[v] += point.N[v] * weight * measure;
+          });
         occupancy.add_vertex_values(cell, of_vertices, inside_fill);
       }
     inside_fill.compress(VectorOperation::add);

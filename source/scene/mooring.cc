@@ -123,14 +123,10 @@ namespace seiche
     result.name = name;
     result.fairlead =
       entry_values::point<dim>(input, path("Fairlead"), fairlead);
-    result.anchor     = entry_values::point<dim>(input, path("Anchor"), anchor);
-    result.on_ground  = ground == "level";
-    result.line       = {length, weight, stiffness};
-    const auto beyond = [&](const double distance) {
-      return std::abs(distance) > 1e-6 * length;
-    };
-    const Tensor<1, dim> way = result.fairlead - result.anchor;
-    input.require(beyond(way.norm()),
+    result.anchor    = entry_values::point<dim>(input, path("Anchor"), anchor);
+    result.on_ground = ground == "level";
+    result.line      = {length, weight, stiffness};
+    input.require(result.fairlead.distance(result.anchor) > 1e-6 * length,
                   path("Anchor"),
                   "anchor and fairlead are one place.");
     return result;

@@ -46,7 +46,12 @@ namespace seiche
     void
     for_each_point(const unsigned int cell, const Action &action) const
     {
-      for_each_point(cell, /*at_walls=*/true, action);
+      if (walls().cuts(cell))
+        for (const WeightedPoint<dim> &point : wet_part(cell).points)
+          action(point.unit, point.weight);
+      else
+        for (const dealii::Point<dim> &x : rules[rule_of_cell[cell]])
+          action(x, shares[cell] / CutCell<dim>::n_vertices);
     }
 
     /// The wall of solids at the inside of an own cell, or null.
@@ -131,20 +136,6 @@ namespace seiche
     {
       const double whole = whole_volume(node);
       return whole > 0. ? occupancy.nodes.volume(node) / whole : 1.;
-    }
-
-    template <typename Action>
-    void
-    for_each_point(const unsigned int cell,
-                   const bool         at_walls,
-                   const Action      &action) const
-    {
-      if (at_walls && walls().cuts(cell))
-        for (const WeightedPoint<dim> &point : wet_part(cell).points)
-          action(point.unit, point.weight);
-      else
-        for (const dealii::Point<dim> &x : rules[rule_of_cell[cell]])
-          action(x, shares[cell] / CutCell<dim>::n_vertices);
     }
 
     const CutWalls<dim> &
