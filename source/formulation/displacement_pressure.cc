@@ -86,7 +86,7 @@ namespace seiche
                           momentum_subscale,
                           pressure_subscale,
                           point_inertia,
-                          walls,
+                          WallTerm(/*old_pressure_presses=*/true),
                           ghost_acceleration,
                           ghost_pressure);
 

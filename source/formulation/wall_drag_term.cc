@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <seiche/formulation/cofactor.h>
+#include <seiche/formulation/fluid_at_wall.h>
 #include <seiche/formulation/viscous_term.h>
 #include <seiche/formulation/wall_drag_term.h>
 #include <seiche/utilities/dual_number.h>
@@ -185,6 +186,8 @@ namespace seiche
     PointBatch<dim, degree, double> point;
     for (const WallPoint<dim> &wall : *cell.wall)
       {
+        if (fluid_leaves(cell, wall))
+          continue;
         const auto at = point_of_wall(cell, wall, beta, point);
         const auto result =
           forces<dim, double>(at,
@@ -219,6 +222,8 @@ namespace seiche
     PointBatch<dim, degree, double> point;
     for (const WallPoint<dim> &wall : *cell.wall)
       {
+        if (fluid_leaves(cell, wall))
+          continue;
         const auto             at = point_of_wall(cell, wall, beta, point);
         const auto             u_values = point.value(cell.displacement);
         const auto             H_values = point.gradient(cell.displacement);

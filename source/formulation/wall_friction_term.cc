@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <seiche/formulation/fluid_at_wall.h>
 #include <seiche/formulation/wall_friction_term.h>
 
 namespace seiche
@@ -55,7 +56,8 @@ namespace seiche
     bool
     has_friction(const CellData<dim, degree> &cell, const WallPoint<dim> &wall)
     {
-      return (*cell.solids)[wall.solid].friction > 0.;
+      return (*cell.solids)[wall.solid].friction > 0. &&
+             !fluid_leaves(cell, wall);
     }
   } // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <seiche/formulation/cofactor.h>
+#include <seiche/formulation/fluid_at_wall.h>
 #include <seiche/formulation/wall_term.h>
 
 namespace seiche
@@ -8,70 +8,19 @@ namespace seiche
 
   namespace
   {
-    /// The fluid at a point of a wall.
     template <int dim, int degree>
-    struct FluidAtWall
+    bool
+    leaves(const WallTerm                 &term,
+           const CellData<dim, degree>    &cell,
+           const WallPoint<dim>           &wall,
+           const FluidAtWall<dim, degree> &fluid)
     {
-      PointBatch<dim, degree, double> point;
-      double         gradient_t[dim][Basis<dim, degree>::n_nodes];
-      Point<dim>     place;          // in the configuration of the forces [m]
-      Tensor<1, dim> way_of_wall;    // g [m]
-      Tensor<1, dim> relative;       // u - g [m]
-      Tensor<2, dim> relative_slope; // its derivative by u
-      Tensor<1, dim> area;           // n_t dA [m^(dim-1)]
-      Tensor<1, dim> solid_area;     // m_t dA
-      double         stiffness;      // of the latter [Pa/m^dim]
-      double         pressure;       // [Pa]
-
-      FluidAtWall(const CellData<dim, degree> &cell,
-                  const WallPoint<dim>        &wall,
-                  const double                 gamma)
-      {
-        point.reinit(cell.geometry, wall.unit);
-        const double         theta = cell.coefficients.theta;
-        const RigidWay<dim> &way   = (*cell.solids)[wall.solid].way;
-        const Tensor<1, dim> u     = point.value(cell.displacement);
-        place          = cell.geometry.to_real(wall.unit) + theta * u;
-        way_of_wall    = way.at(place);
-        relative       = u - way_of_wall;
-        relative_slope = identity_plus<dim, double>(-theta * way.turn);
-        const Tensor<2, dim> F =
-          identity_plus<dim, double>(theta * point.gradient(cell.displacement));
-        const Tensor<2, dim> turn = cofactor(F);
-        const double         dA   = wall.area.norm();
-        area                      = turn * wall.area;
-        solid_area                = turn * (dA * wall.normal);
-        stiffness                 = gamma * cell.geometry.shortest_edge() *
-                    cell.fluid.inertia(cell.coefficients.inertia) / dA;
-        if (cell.wall_is_dry)
-          area = 0.; // drops fill no cell
-        pressure                     = point.value(cell.pressure);
-        const Tensor<2, dim> inverse = invert(F);
-        for (unsigned int a = 0; a < point.n_nodes; ++a)
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              gradient_t[i][a] = 0.;
-              for (unsigned int j = 0; j < dim; ++j)
-                gradient_t[i][a] += inverse[j][i] * point.gradient_n[j][a];
-            }
-      }
-
-      /// (u - g).area, of one of both, by the displacements of the nodes along
-      /// k.
-      Row<Basis<dim, degree>::n_nodes>
-      through_slope(const CellData<dim, degree> &cell,
-                    const Tensor<1, dim>        &of_area,
-                    const unsigned int           k) const
-      {
-        auto along = relative[0] * load_row(gradient_t[0]); // gradient.(u - g)
-        for (unsigned int i = 1; i < dim; ++i)
-          along += relative[i] * load_row(gradient_t[i]);
-        return (of_area * relative_slope)[k] * load_row(point.N) +
-               cell.coefficients.theta *
-                 ((of_area * relative) * load_row(gradient_t[k]) -
-                  of_area[k] * along);
-      }
-    };
+      return fluid.leaves(cell,
+                          wall,
+                          term.old_pressure_presses && !cell.wall_is_dry ?
+                            std::max(0., fluid.point.value(cell.old_pressure)) :
+                            0.);
+    }
 
     /// N_a row_b to a block of the cell's matrix.
     template <unsigned int n>
@@ -91,13 +40,20 @@ namespace seiche
       return;
     for (const WallPoint<dim> &wall : *cell.wall)
       {
-        const FluidAtWall<dim, degree> fluid(cell, wall, gamma);
-        const double                   through = fluid.area * fluid.relative;
-        const Tensor<1, dim>           force =
+        const FluidAtWall<dim, degree> fluid(cell, wall);
+        const auto                     N = load_row(fluid.point.N);
+        if (leaves(*this, cell, wall, fluid))
+          {
+            store_row(load_row(cell.residual_p) +
+                        (fluid.pressure / fluid.stiffness) * N,
+                      cell.residual_p);
+            continue;
+          }
+        const double         through = fluid.area * fluid.relative;
+        const Tensor<1, dim> force =
           fluid.pressure * fluid.area + fluid.stiffness *
                                           (fluid.solid_area * fluid.relative) *
                                           fluid.solid_area;
-        const auto N = load_row(fluid.point.N);
         for (unsigned int i = 0; i < dim; ++i)
           store_row(load_row(cell.residual_u[i]) + force[i] * N,
                     cell.residual_u[i]);
@@ -116,12 +72,18 @@ namespace seiche
     const double theta = cell.coefficients.theta;
     for (const WallPoint<dim> &wall : *cell.wall)
       {
-        const FluidAtWall<dim, degree> fluid(cell, wall, gamma);
-        const auto                    &N   = fluid.point.N;
-        const auto                    &g   = fluid.gradient_t;
-        const auto                    &n_t = fluid.area;
-        const auto                    &m_t = fluid.solid_area;
-        const double                   gap = m_t * fluid.relative;
+        const FluidAtWall<dim, degree> fluid(cell, wall);
+        const auto                    &N = fluid.point.N;
+        if (leaves(*this, cell, wall, fluid))
+          {
+            if (!cell.wall_is_dry)
+              add_product(cell.pp, N, (1. / fluid.stiffness) * load_row(N));
+            continue;
+          }
+        const auto  &g   = fluid.gradient_t;
+        const auto  &n_t = fluid.area;
+        const auto  &m_t = fluid.solid_area;
+        const double gap = m_t * fluid.relative;
         for (unsigned int k = 0; k < dim; ++k)
           {
             const auto of_gap = fluid.through_slope(cell, m_t, k);

@@ -101,7 +101,7 @@ namespace seiche
     state.solids.clear();
     for (const Solid<dim> &solid : occupancy.locator.solids)
       state.solids.push_back(
-        {way_of(solid), solid.friction, solid.slip_length});
+        {way_of(solid), solid.friction, solid.slip_length, solid.may_be_left});
   }
 
   template <int dim>

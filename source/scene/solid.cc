@@ -25,10 +25,12 @@ namespace seiche
                       Patterns::Selection("outside|inside"));
     prm.add_parameter("Condition",
                       condition,
-                      "What the wall does to the fluid along itself: slip: "
-                      "nothing but its Friction; no-slip: the fluid sticks to "
-                      "it, or slips by Navier's law. [-]",
-                      Patterns::Selection("slip|no-slip"));
+                      "What the wall does to the fluid: slip: no flow to or "
+                      "from it, and along it nothing but its Friction; "
+                      "unilateral: the same, but the fluid may leave it; "
+                      "no-slip: the fluid sticks to it, or slips by Navier's "
+                      "law. [-]",
+                      Patterns::Selection("slip|unilateral|no-slip"));
     prm.add_parameter("Slip length",
                       slip_length,
                       "Of Navier's law with Condition = no-slip: depth below "
@@ -37,7 +39,7 @@ namespace seiche
                       Patterns::Double(0.));
     prm.add_parameter("Friction",
                       friction,
-                      "Skin friction coefficient c_f with Condition = slip: "
+                      "Skin friction coefficient c_f unless no-slip: "
                       "drag c_f/2 rho |v| v per area. [-]",
                       Patterns::Double(0.));
     motion.add_parameters(
@@ -69,15 +71,17 @@ namespace seiche
     input.read_only_if(condition == "no-slip",
                        section() + "/Slip length",
                        "Condition = no-slip");
-    input.read_only_if(condition == "slip",
+    input.read_only_if(condition != "no-slip",
                        section() + "/Friction",
-                       "Condition = slip");
+                       "Condition = slip or unilateral");
     for (const char *const entry : {"/Stop distance", "/Restitution"})
       input.read_only_if(motion.body.any(),
                          section() + entry,
                          section() + "/Free");
     if (condition == "no-slip")
       input.cites("juntunen2009");
+    if (condition == "unilateral")
+      input.cites("chouly2013");
     if (friction > 0.)
       input.cites("schlichting1979");
   }
@@ -105,6 +109,7 @@ namespace seiche
           solid.slip_length = parameters.slip_length;
         else
           solid.friction = parameters.friction;
+        solid.may_be_left   = parameters.condition == "unilateral";
         solid.stop_distance = parameters.stop_distance;
         solid.restitution   = parameters.restitution;
         if (parameters.motion.any())
@@ -185,6 +190,15 @@ namespace seiche
 
   template <int dim>
   bool
+  any_may_be_left(const std::vector<Solid<dim>> &solids)
+  {
+    return std::any_of(solids.begin(), solids.end(), [](const auto &solid) {
+      return solid.may_be_left;
+    });
+  }
+
+  template <int dim>
+  bool
   any_is_free(const std::vector<Solid<dim>> &solids)
   {
     return std::any_of(solids.begin(), solids.end(), [](const auto &solid) {
@@ -230,25 +244,26 @@ namespace seiche
                               });
   }
 
-#define INSTANTIATE(dim)                                                    \
-  template struct Solid<dim>;                                               \
-  template const Solid<dim> *nearest_solid(const std::vector<Solid<dim>> &, \
-                                           const Point<dim> &);             \
-  template bool              any_moves(const std::vector<Solid<dim>> &);    \
-  template bool              any_is_free(const std::vector<Solid<dim>> &);  \
-  template double            largest_way(const std::vector<Solid<dim>> &,   \
-                                         const BoundingBox<dim> &,          \
-                                         const double);                     \
-  template struct SolidParameters<dim>;                                     \
-  template std::vector<Solid<dim>> make_solids(                             \
-    const std::vector<SolidParameters<dim>> &,                              \
-    const InputFile &,                                                      \
-    const BoundingBox<dim> &,                                               \
-    const std::vector<ShapeParameters<dim>> &,                              \
-    const double,                                                           \
-    const double);                                                          \
-  template void add_moorings(const std::vector<MooringParameters<dim>> &,   \
-                             const InputFile &,                             \
+#define INSTANTIATE(dim)                                                       \
+  template struct Solid<dim>;                                                  \
+  template const Solid<dim> *nearest_solid(const std::vector<Solid<dim>> &,    \
+                                           const Point<dim> &);                \
+  template bool              any_moves(const std::vector<Solid<dim>> &);       \
+  template bool              any_may_be_left(const std::vector<Solid<dim>> &); \
+  template bool              any_is_free(const std::vector<Solid<dim>> &);     \
+  template double            largest_way(const std::vector<Solid<dim>> &,      \
+                                         const BoundingBox<dim> &,             \
+                                         const double);                        \
+  template struct SolidParameters<dim>;                                        \
+  template std::vector<Solid<dim>> make_solids(                                \
+    const std::vector<SolidParameters<dim>> &,                                 \
+    const InputFile &,                                                         \
+    const BoundingBox<dim> &,                                                  \
+    const std::vector<ShapeParameters<dim>> &,                                 \
+    const double,                                                              \
+    const double);                                                             \
+  template void add_moorings(const std::vector<MooringParameters<dim>> &,      \
+                             const InputFile &,                                \
                              std::vector<Solid<dim>> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -25,6 +25,8 @@ namespace seiche
     , weak_form(formulation.step.get())
     , needs_start_speed(formulation.has_pressure() &&
                         !formulation.subscales->tau_is_uniform)
+    , walls_may_be_left(formulation.has_pressure() &&
+                        any_may_be_left(occupancy.locator.solids))
     , ghost_penalty(pattern)
   {}
 

@@ -26,8 +26,11 @@ namespace seiche
     data.wall_is_dry  = data.wall == nullptr && walls.cuts(cell);
     if (data.wall_is_dry)
       data.wall = &walls.whole(cell).wall;
-    data.solids        = &state.solids;
-    data.wall_material = &materials.of_cell(cell);
+    data.solids                       = &state.solids;
+    data.wall_material                = &materials.of_cell(cell);
+    const ClosedChambers<dim> *closed = closed_chambers();
+    data.wall_may_be_left = data.wall != nullptr && walls_may_be_left &&
+                            (closed == nullptr || !closed->holds_cell(cell));
     data.solid_reactions.clear();
 
     const auto nodes = occupancy.template unknowns<degree>(cell);
@@ -53,6 +56,8 @@ namespace seiche
       }
     if (state.has_pressure())
       nodes.read(state.pressure().begin(), data.pressure);
+    if (data.wall_may_be_left)
+      nodes.read(state.pressure_guess.begin(), data.old_pressure);
     data.orthogonal = projection != nullptr;
     if (data.orthogonal)
       gather_projection<degree>(cell);

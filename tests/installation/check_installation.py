@@ -160,6 +160,7 @@ def papers(folder):
     require("baerentzen2005" in cited(scene=SOURCE / "tests/scene/shapes_3d.prm"), "triangles")
     require("nitsche1971" in cited(scene=SOURCE / "tests/scene/turned_tank_rest_2d.prm"), "solids")
     require("jonkman2007" in cited(scene=SOURCE / "tests/scene/moored_box_2d.prm"), "moorings")
+    require("chouly2013" in cited(scene=SOURCE / "tests/scene/leaves_solid_2d.prm"), "unilateral solids")
     require("juntunen2009" in cited(scene=SOURCE / "tests/scene/free_solids_3d.prm"), "no-slip solids")
     # every transfer has its paper, and every paper its use
     table = run(PROGRAM, "--print-parameters")

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The tangent of every formulation against central differences of its residual.
+#include <seiche/formulation/fluid_at_wall.h>
 #include <seiche/formulation/momentum_subscale_term.h>
 #include <seiche/materials/power_law.h>
 
@@ -144,7 +145,7 @@ namespace
   void
   test_walls()
   {
-    unsigned int   n_exact = 0, n_all = 0;
+    unsigned int   n_exact = 0, n_all = 0, n_left = 0;
     const Material water   = newtonian(0.7),
                    thinner = material_of(std::make_shared<PowerLaw>(0.4, 0.1),
                                          /*viscosity=*/0.7);
@@ -157,21 +158,24 @@ namespace
                                                        {/*bulk_modulus=*/50.},
                                                        volume_factors());
         CellData<dim, degree> cell;
-        std::vector<WallPoint<dim>> wall(3);
+        std::vector<WallPoint<dim>> wall(5);
         for (unsigned int q = 0; q < wall.size(); ++q)
           for (unsigned int d = 0; d < dim; ++d)
             {
-              wall[q].unit[d] = 0.2 + 0.25 * q - 0.1 * d;
+              wall[q].unit[d] = 0.2 + 0.15 * q - 0.1 * d;
               wall[q].area[d] = 0.3 - 0.2 * d + 0.1 * q;
             }
         fill_cell(cell, fluid, theta, /*lumped=*/false);
         std::vector<SolidInStep<dim>> solids(wall.size());
         for (unsigned int s = 0; s < solids.size(); ++s)
           {
-            wall[s].solid     = s; // slips with friction, sticks, between both
-            wall[s].normal[0] = 0.6;
-            wall[s].normal[1] = -0.8;
-            if (s > 0)
+            // slips with friction, sticks, between both, holds fluid that
+            // might leave, is left
+            wall[s].solid         = s;
+            wall[s].normal[0]     = 0.6;
+            wall[s].normal[1]     = -0.8;
+            solids[s].may_be_left = s >= 3;
+            if (s == 1 || s == 2)
               solids[s].slip_length = 0.3 * (s - 1.);
             else
               solids[s].friction = 0.4;
@@ -181,10 +185,15 @@ namespace
                 for (unsigned int k = 0; k < dim; ++k)
                   solids[s].way.turn[i][k] = 0.03 * (i + 1.) - 0.02 * k * s;
               }
+            if (solids[s].may_be_left)
+              solids[s].way.shift += (s == 3 ? -1. : 1.) * wall[s].normal;
           }
-        cell.wall          = &wall;
-        cell.solids        = &solids;
-        cell.wall_material = &fluid;
+        cell.wall             = &wall;
+        cell.solids           = &solids;
+        cell.wall_material    = &fluid;
+        cell.wall_may_be_left = true;
+        for (const unsigned int s : {3, 4})
+          n_left += fluid_leaves(cell, wall[s]);
         ++n_all;
         const double error = step_error(formulation, cell);
         if (error < 1e-6)
@@ -194,7 +203,7 @@ namespace
                     << '\n';
       }
     std::cout << dim << "D Q" << degree << " walls of solids: " << n_exact
-              << " of " << n_all << " exact\n";
+              << " of " << n_all << " exact, " << n_left << " left\n";
   }
 
   /// Viscous terms are in the tangent unless they are negligible.

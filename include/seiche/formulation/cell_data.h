@@ -45,12 +45,16 @@ namespace seiche
     bool                                 wall_is_dry   = false;
     const std::vector<SolidInStep<dim>> *solids        = nullptr; ///< by number
     const Material                      *wall_material = nullptr; ///< at it
+    /// The pressure is known, not up to a constant only: walls of solids whose
+    /// condition allows it may be left.
+    bool wall_may_be_left = false;
 
     alignas(64) NodalVector displacement;  ///< u [m]
     alignas(64) NodalVector acceleration;  ///< C_a u + offset, and the
                                            ///< Coriolis acceleration [m/s^2]
     alignas(64) NodalVector rate_velocity; ///< c_r u + offset [m/s]
     alignas(64) NodalScalar pressure;      ///< p [Pa], mixed form only
+    alignas(64) NodalScalar old_pressure; ///< at t_n, at walls that may be left
 
     /// Frozen during Newton's iteration; zero without subscales.
     Tau tau;

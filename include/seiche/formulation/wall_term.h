@@ -18,13 +18,18 @@ namespace seiche
    * that a constant one does no work in a closed tank. Pressures of (4.2) and
    * these are adjoint. m is the normal of the solid itself: of a curved wall's
    * chords n has kinks, where no flow but none would pass neither.
+   *
+   * Where the fluid may leave and the wall would have to pull (8.10a), there is
+   * no force, and R_p += int q p/(gamma rho C_a h) dA: the pressure is zero.
    */
   struct WallTerm : Term
   {
-    double gamma; ///< [-]
+    /// Of the projection: what is pressed to the wall by the old pressure
+    /// stays there.
+    bool old_pressure_presses;
 
-    explicit WallTerm(const double gamma = 1.)
-      : gamma(gamma)
+    explicit WallTerm(const bool old_pressure_presses = false)
+      : old_pressure_presses(old_pressure_presses)
     {}
 
     template <int dim, int degree>

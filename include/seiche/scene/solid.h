@@ -21,8 +21,9 @@ namespace seiche
   struct Solid
   {
     std::string      name;
-    SharedShape<dim> shape;         ///< where there is no fluid
-    double           friction = 0.; ///< c_f [-]
+    SharedShape<dim> shape;               ///< where there is no fluid
+    double           friction    = 0.;    ///< c_f [-]
+    bool             may_be_left = false; ///< unilateral: by the fluid
     /// Of Navier's law, zero if the fluid sticks, infinite if it slips [m].
     double slip_length = std::numeric_limits<double>::infinity();
 
@@ -64,6 +65,7 @@ namespace seiche
     RigidWay<dim> way; ///< of its places [m]
     double        friction    = 0.;
     double        slip_length = std::numeric_limits<double>::infinity();
+    bool          may_be_left = false; ///< by the fluid
   };
 
   /// Tie solids down. InputError for what holds none.
@@ -77,6 +79,11 @@ namespace seiche
   template <int dim>
   bool
   any_moves(const std::vector<Solid<dim>> &solids);
+
+  /// True if the fluid may leave one of them.
+  template <int dim>
+  bool
+  any_may_be_left(const std::vector<Solid<dim>> &solids);
 
   /// True if the fluid moves one of them.
   template <int dim>

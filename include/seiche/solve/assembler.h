@@ -95,6 +95,14 @@ namespace seiche
         tau_arguments(size, occupancy.fe.degree, materials.largest(), force));
     }
 
+    /// True if the residual of the projection has kinks: at solids that the
+    /// fluid may leave.
+    bool
+    has_contact() const
+    {
+      return walls_may_be_left;
+    }
+
     /// True if rho tau1 is about the same in all cells: the pressure block is
     /// then a scaled copy of the Schur complement. Collective.
     bool
@@ -203,6 +211,7 @@ namespace seiche
     const Vector          *rate_offset    = nullptr;
     const BlockVector     *projection     = nullptr;
     const bool             needs_start_speed; // tau does
+    const bool             walls_may_be_left; // of solids
     StepCoefficients       step;
     GhostPenalty<dim>      ghost_penalty;
 
