@@ -192,10 +192,10 @@ namespace
         cell.solids           = &solids;
         cell.wall_material    = &fluid;
         cell.wall_may_be_left = true;
-        for (const unsigned int s : {3, 4})
-          n_left += fluid_leaves(cell, wall[s]);
         ++n_all;
         const double error = step_error(formulation, cell);
+        for (const unsigned int s : {3, 4})
+          n_left += fluid_leaves(cell, wall[s]);
         if (error < 1e-6)
           ++n_exact;
         else
