@@ -2,6 +2,8 @@
 #include <seiche/formulation/fluid_at_wall.h>
 #include <seiche/formulation/wall_term.h>
 
+#include <algorithm>
+
 namespace seiche
 {
   using namespace dealii;
@@ -15,9 +17,12 @@ namespace seiche
            const WallPoint<dim>           &wall,
            const FluidAtWall<dim, degree> &fluid)
     {
+      if (!fluid.may_leave(cell, wall))
+        return false;
+      const bool presses = term.old_pressure_presses && !cell.wall_is_dry;
       return fluid.leaves(cell,
                           wall,
-                          term.old_pressure_presses && !cell.wall_is_dry ?
+                          presses ?
                             std::max(0., fluid.point.value(cell.old_pressure)) :
                             0.);
     }

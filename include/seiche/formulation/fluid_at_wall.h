@@ -22,9 +22,16 @@ namespace seiche
     double                 stiffness;      // of the latter [Pa/m^dim]
     double                 pressure;       // [Pa]
 
-    FluidAtWall(const CellData<dim, degree> &cell,
-                const WallPoint<dim>        &wall,
-                const double                 gamma = 1.)
+    static constexpr double gamma = 1.; // of the penalty [-]
+
+    /// True if the condition of the wall lets fluid leave it.
+    static bool
+    may_leave(const CellData<dim, degree> &cell, const WallPoint<dim> &wall)
+    {
+      return cell.wall_may_be_left && (*cell.solids)[wall.solid].may_be_left;
+    }
+
+    FluidAtWall(const CellData<dim, degree> &cell, const WallPoint<dim> &wall)
     {
       point.reinit(cell.geometry, wall.unit);
       const double                 theta = cell.coefficients.theta;
@@ -62,7 +69,7 @@ namespace seiche
            const WallPoint<dim>        &wall,
            const double                 pressing = 0.) const
     {
-      return cell.wall_may_be_left && (*cell.solids)[wall.solid].may_be_left &&
+      return may_leave(cell, wall) &&
              pressure + pressing + stiffness * (solid_area * relative) < 0.;
     }
 
@@ -88,8 +95,8 @@ namespace seiche
   bool
   fluid_leaves(const CellData<dim, degree> &cell, const WallPoint<dim> &wall)
   {
-    return cell.wall_may_be_left && (*cell.solids)[wall.solid].may_be_left &&
-           FluidAtWall<dim, degree>(cell, wall).leaves(cell, wall);
+    using Fluid = FluidAtWall<dim, degree>;
+    return Fluid::may_leave(cell, wall) && Fluid(cell, wall).leaves(cell, wall);
   }
 } // namespace seiche
 
