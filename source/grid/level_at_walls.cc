@@ -3,8 +3,11 @@
 #include <seiche/grid/level_nearby.h>
 #include <seiche/space/cut_cell.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace seiche
 {
@@ -12,13 +15,8 @@ namespace seiche
 
   namespace
   {
-    /// Rounds in which nodes beside known ones become known, at most.
-    constexpr unsigned int most_rounds = 8;
-
     /// Of a node whose level set is not its own: less of its hat is wet.
     constexpr double mostly_dry = 0.5;
-
-    constexpr double round_off = 1e-9;
   } // namespace
 
   template <int dim>
@@ -27,18 +25,20 @@ namespace seiche
   {}
 
   template <int dim>
-  std::vector<typename LevelAtWalls<dim>::DryNode>
-  LevelAtWalls<dim>::dry_nodes(const Vector &wet_shares) const
+  std::vector<typename LevelAtWalls<dim>::Follower>
+  LevelAtWalls<dim>::dry_nodes(const Vector &wet_shares,
+                               const Vector &wet_fill) const
   {
     const auto               &nodes = occupancy.nodes;
-    std::vector<DryNode>      result;
+    std::vector<Follower>     result;
     std::vector<unsigned int> place(nodes.n_own(),
                                     numbers::invalid_unsigned_int);
     for (unsigned int i = 0; i < nodes.n_own(); ++i)
       if (wet_shares.local_element(i) < mostly_dry)
         {
           place[i] = result.size();
-          result.push_back({i, {}});
+          result.push_back(
+            {i, wet_fill.local_element(i) * nodes.volume(i), {}, {}});
         }
     for (unsigned int cell = 0; cell < occupancy.locator.cells.size(); ++cell)
       if (occupancy.cells.is_active(cell))
@@ -56,17 +56,14 @@ namespace seiche
 
   template <int dim>
   std::vector<typename LevelAtWalls<dim>::Neighbor>
-  LevelAtWalls<dim>::known_neighbors(const DryNode &node,
-                                     const Vector  &wet_shares,
-                                     const Vector  &is_unknown) const
+  LevelAtWalls<dim>::known_neighbors(const Follower &node,
+                                     const Vector   &is_unknown) const
   {
-    using Shape               = GeometryInfo<dim>;
-    const double          own = wet_shares.local_element(node.node);
+    using Shape = GeometryInfo<dim>;
     std::vector<Neighbor> result;
     for (const Corner &here : node.corners)
       {
-        VertexValues<dim> wet, unknown;
-        occupancy.vertex_values(here.cell, wet_shares, wet.data());
+        VertexValues<dim> unknown;
         occupancy.vertex_values(here.cell, is_unknown, unknown.data());
         const bool sees_nodes =
           occupancy.mesh_nodes.hanging.matrix(here.cell) == nullptr;
@@ -80,38 +77,39 @@ namespace seiche
                  occupancy.nodes.of_cell(
                    here.cell)[vertex_node<dim>(occupancy.fe.degree, v)] :
                  numbers::invalid_unsigned_int});
-          else if (wet[v] > own + round_off)
-            return {};
       }
     return result;
   }
 
   template <int dim>
   void
-  LevelAtWalls<dim>::reinit(const Vector &wet_shares)
+  LevelAtWalls<dim>::reinit(const Vector &wet_shares, const Vector &wet_fill)
   {
     Vector unknown(wet_shares);
     for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       unknown.local_element(i) = wet_shares.local_element(i) < mostly_dry;
     unknown.update_ghost_values();
     rounds.clear();
-    std::vector<DryNode> waiting = dry_nodes(wet_shares);
-    while (rounds.size() < most_rounds)
+    std::vector<Follower> waiting   = dry_nodes(wet_shares, wet_fill);
+    bool                  any_found = true;
+    while (any_found)
       {
         std::vector<Follower> found;
-        for (const DryNode &node : waiting)
-          if (auto neighbors = known_neighbors(node, wet_shares, unknown);
+        for (const Follower &node : waiting)
+          if (auto neighbors = known_neighbors(node, unknown);
               !neighbors.empty())
-            found.push_back({node.node, std::move(neighbors)});
-        if (Utilities::MPI::sum(found.size(),
-                                wet_shares.get_mpi_communicator()) == 0)
-          break;
+            {
+              found.push_back(node);
+              found.back().neighbors = std::move(neighbors);
+            }
+        any_found = Utilities::MPI::sum(found.size(),
+                                        wet_shares.get_mpi_communicator()) > 0;
         for (const Follower &follower : found)
           unknown.local_element(follower.node) = 0.;
         unknown.update_ghost_values();
         waiting.erase(std::remove_if(waiting.begin(),
                                      waiting.end(),
-                                     [&](const DryNode &node) {
+                                     [&](const Follower &node) {
                                        return unknown.local_element(
                                                 node.node) == 0.;
                                      }),
@@ -133,6 +131,50 @@ namespace seiche
   }
 
   template <int dim>
+  double
+  LevelAtWalls<dim>::level_below_plane(const Follower       &follower,
+                                       const Tensor<1, dim> &gradient) const
+  {
+    constexpr int        digits = 30; // of 2
+    std::uintmax_t       trials = 30;
+    const CutWalls<dim> &walls  = occupancy.mesh_nodes.cut_walls;
+    VertexValues<dim>    plane, nowhere;
+    nowhere.fill(1.);
+    const auto excess = [&](const double level) {
+      double result = -follower.fluid;
+      for (const Corner &here : follower.corners)
+        if (walls.wet_share(here.cell) > 0.)
+          {
+            for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+              plane[v] =
+                level +
+                gradient * (GeometryInfo<dim>::unit_cell_vertex(v) -
+                            GeometryInfo<dim>::unit_cell_vertex(here.vertex));
+            result += occupancy.locator.cells.geometry(here.cell).measure *
+                      hat_integrals<dim>(plane,
+                                         walls.cuts(here.cell) ?
+                                           walls.distance(here.cell) :
+                                           nowhere)[here.vertex];
+          }
+      return result;
+    };
+    const double most = excess(-1.), least = excess(1.);
+    if (most <= 0.)
+      return -1.;
+    if (least >= 0.)
+      return 1.;
+    const auto [lower, upper] = boost::math::tools::toms748_solve(
+      excess,
+      -1.,
+      1.,
+      most,
+      least,
+      boost::math::tools::eps_tolerance<double>(digits),
+      trials);
+    return 0.5 * (lower + upper);
+  }
+
+  template <int dim>
   void
   LevelAtWalls<dim>::extend(Vector &level) const
   {
@@ -147,7 +189,9 @@ namespace seiche
               nearby.push_back(
                 {neighbor.way, rounded(level_of(neighbor, level))});
             values.push_back(
-              level_from(nearby, level.local_element(follower.node)));
+              level_from<dim>(nearby, [&](const Tensor<1, dim> &gradient) {
+                return level_below_plane(follower, gradient);
+              }));
           }
         for (unsigned int i = 0; i < round.size(); ++i)
           level.local_element(round[i].node) =

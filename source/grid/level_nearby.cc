@@ -70,7 +70,8 @@ namespace seiche
 
   template <int dim>
   double
-  level_from(std::vector<LevelNearby<dim>> &nearby, const double own)
+  level_from(std::vector<LevelNearby<dim>>                       &nearby,
+             const std::function<double(const Tensor<1, dim> &)> &of_own_fluid)
   {
     constexpr unsigned int most_rounds  = 10;
     constexpr double       least_slope  = 0.1; // less: there is none
@@ -82,12 +83,15 @@ namespace seiche
       one.counts = true;
     const Plane<dim> all     = fit(nearby);
     const auto       at_node = [&](const Plane<dim> &plane) {
-      const double value = plane.value(Tensor<1, dim>());
-      if (!(value > 0. && own < 0.))
+      const double value  = plane.value(Tensor<1, dim>());
+      const double untold = all.untold.norm();
+      if (!(value > 0. && untold > 0. && all.slope.norm() < likely_slope))
         return value;
-      // a film: down the way that no levels tell
-      const double slope = 1. - all.slope.norm_square();
-      return value - std::sqrt(std::max(0., slope)) * all.untold.norm();
+      // perhaps a film: down the way that no levels tell
+      return std::min(value,
+                      of_own_fluid(all.slope -
+                                   std::sqrt(1. - all.slope.norm_square()) /
+                                     untold * all.untold));
     };
     if (std::none_of(nearby.begin(), nearby.end(), is_known))
       return at_node(all);
@@ -117,7 +121,9 @@ namespace seiche
   }
 
   template double
-  level_from<2>(std::vector<LevelNearby<2>> &, const double);
+  level_from<2>(std::vector<LevelNearby<2>> &,
+                const std::function<double(const Tensor<1, 2> &)> &);
   template double
-  level_from<3>(std::vector<LevelNearby<3>> &, const double);
+  level_from<3>(std::vector<LevelNearby<3>> &,
+                const std::function<double(const Tensor<1, 3> &)> &);
 } // namespace seiche

@@ -21,7 +21,7 @@ namespace seiche
     for (unsigned int i = 0; i < occupancy.nodes.n_own(); ++i)
       wet.local_element(i) = wet_share(i);
     wet.update_ghost_values();
-    level_at_walls.reinit(wet);
+    level_at_walls.reinit(wet, wet_fill);
     Vector result(wet_fill);
     // nodes without any fluid are dry, whatever solids hold of their hats
     for (unsigned int round = 0; round < n_continuations; ++round)

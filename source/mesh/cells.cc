@@ -60,13 +60,13 @@ namespace seiche
   {
     if (solids.empty())
       return;
+    std::vector<dealii::Point<dim>> centres(size());
+    for (unsigned int cell = 0; cell < size(); ++cell)
+      centres[cell] = geometries[cell].box().center();
+    const auto distances = distances_of_centres.at(solids, centres);
     near_solids.resize(size());
     for (unsigned int cell = 0; cell < size(); ++cell)
-      {
-        const auto   x        = geometries[cell].box().center();
-        const double distance = nearest_solid(solids, x)->shape->distance(x);
-        near_solids[cell]     = distance < 1.5 * geometries[cell].edges.norm();
-      }
+      near_solids[cell] = distances[cell] < 1.5 * geometries[cell].edges.norm();
   }
 
 

@@ -234,14 +234,18 @@ namespace seiche
   const Solid<dim> *
   nearest_solid(const std::vector<Solid<dim>> &solids, const Point<dim> &x)
   {
-    if (solids.size() <= 1)
-      return solids.empty() ? nullptr : &solids[0];
-    return &*std::min_element(solids.begin(),
-                              solids.end(),
-                              [&x](const auto &a, const auto &b) {
-                                return a.shape->distance(x) <
-                                       b.shape->distance(x);
-                              });
+    if (solids.size() == 1)
+      return &solids[0];
+    const Solid<dim> *result = nullptr;
+    double            least  = std::numeric_limits<double>::infinity();
+    for (const Solid<dim> &solid : solids)
+      if (const double distance = solid.shape->distance(x);
+          distance < least || result == nullptr)
+        {
+          result = &solid;
+          least  = distance;
+        }
+    return result;
   }
 
 #define INSTANTIATE(dim)                                                       \

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace seiche
 {
@@ -76,17 +77,21 @@ namespace seiche
     const std::vector<double> sizes = sizes_at_nodes(mesh);
 
     LinearAlgebra::distributed::Vector<double> nodal(mesh.partitioner());
-    for (unsigned int i = 0; i < nodal.locally_owned_size(); ++i)
-      {
-        const Point<dim> &x    = mesh.position(i);
-        const double      d    = nearest_solid(solids, x)->shape->distance(x);
-        nodal.local_element(i) = std::abs(d) < on_wall * sizes[i] ? 0. : d;
-      }
+    std::vector<Point<dim>> places(nodal.locally_owned_size());
+    for (unsigned int i = 0; i < places.size(); ++i)
+      places[i] = mesh.position(i);
+    const std::vector<double> distances = distances_of_nodes.at(solids, places);
+    for (unsigned int i = 0; i < places.size(); ++i)
+      nodal.local_element(i) =
+        std::abs(distances[i]) < on_wall * sizes[i] ? 0. : distances[i];
     nodal.update_ghost_values();
 
+    // what no solid has moved through is as it was
+    std::vector<Part>               old_parts = std::exchange(parts, {});
+    const std::vector<unsigned int> old_part_of_cell =
+      std::exchange(part_of_cell,
+                    std::vector<unsigned int>(cells.size(), none));
     shares.assign(cells.size(), 0.);
-    part_of_cell.assign(cells.size(), none);
-    parts.clear();
     VertexValues<dim> inside;
     inside.fill(-1.);
     for (unsigned int cell = 0; cell < cells.size(); ++cell)
@@ -102,13 +107,22 @@ namespace seiche
             shares[cell] = 1.;
             continue;
           }
-        part.whole = WetPart<dim>(inside, part.distance, cells.geometry(cell));
-        if (part.whole.volume < negligible)
-          continue;
+        part.lower = cells.geometry(cell).lower;
+        part.upper = cells.geometry(cell).upper;
+        if (cell < old_part_of_cell.size() && old_part_of_cell[cell] != none &&
+            old_parts[old_part_of_cell[cell]].lies_like(part))
+          part = std::move(old_parts[old_part_of_cell[cell]]);
+        else
+          {
+            part.whole =
+              WetPart<dim>(inside, part.distance, cells.geometry(cell));
+            if (part.whole.volume < negligible)
+              continue;
+            name_solids(cell, part.whole.wall);
+          }
         shares[cell] = std::min(1., part.whole.volume);
         if (part.whole.wall.empty())
           continue;
-        name_solids(cell, part.whole.wall);
         part_of_cell[cell] = parts.size();
         parts.push_back(std::move(part));
       }

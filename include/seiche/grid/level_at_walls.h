@@ -13,8 +13,8 @@ namespace seiche
    * of their neighbours (doc/theory.md, section 8): the fill says little where
    * hardly any of the node's hat is wet.
    *
-   * Nodes beside known ones become known, the wettest first. Who follows from
-   * whom depends on the walls alone and is found once.
+   * Nodes beside known ones become known, those beside these next. Who follows
+   * from whom depends on the walls alone and is found once.
    */
   template <int dim>
   class LevelAtWalls
@@ -25,10 +25,10 @@ namespace seiche
     /// @p occupancy must outlive the object.
     explicit LevelAtWalls(const Occupancy<dim> &occupancy);
 
-    /// For walls that leave these shares of the nodes' hats; own and ghost
-    /// nodes. Collective.
+    /// For walls that leave these shares of the nodes' hats, filled by @p
+    /// wet_fill; own and ghost nodes. Collective.
     void
-    reinit(const Vector &wet_shares);
+    reinit(const Vector &wet_shares, const Vector &wet_fill);
 
     /// Replace the level set [cells] at nodes that are mostly dry; own and
     /// ghost nodes. Collective.
@@ -54,27 +54,27 @@ namespace seiche
     struct Follower
     {
       unsigned int          node;
+      double                fluid;   ///< in its hat [m^dim]
+      std::vector<Corner>   corners; ///< that it is
       std::vector<Neighbor> neighbors;
     };
 
-    struct DryNode
-    {
-      unsigned int        node;
-      std::vector<Corner> corners; ///< that it is
-    };
+    /// Nodes that are mostly dry, without neighbours.
+    std::vector<Follower>
+    dry_nodes(const Vector &wet_shares, const Vector &wet_fill) const;
 
-    std::vector<DryNode>
-    dry_nodes(const Vector &wet_shares) const;
-
-    /// What a node that is not known yet may follow from now; nothing while a
-    /// wetter one beside it is not known either.
+    /// What a node that is not known yet may follow from now.
     std::vector<Neighbor>
-    known_neighbors(const DryNode &node,
-                    const Vector  &wet_shares,
-                    const Vector  &is_unknown) const;
+    known_neighbors(const Follower &node, const Vector &is_unknown) const;
 
     double
     level_of(const Neighbor &neighbor, const Vector &level) const;
+
+    /// Level set of a node whose fluid lies below a plane on which the level
+    /// set has this gradient [-].
+    double
+    level_below_plane(const Follower               &follower,
+                      const dealii::Tensor<1, dim> &gradient) const;
 
     const Occupancy<dim>              &occupancy;
     std::vector<std::vector<Follower>> rounds; ///< as many on all ranks

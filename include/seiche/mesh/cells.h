@@ -3,6 +3,7 @@
 #define seiche_mesh_cells_h
 
 #include <seiche/mesh/cell_lattice.h>
+#include <seiche/mesh/solid_distances.h>
 
 #include <deal.II/base/array_view.h>
 
@@ -171,6 +172,7 @@ namespace seiche
     std::vector<unsigned int>           vertex_neighbor_list;
     std::vector<dealii::Tensor<1, dim>> reaches;
     std::vector<char>                   near_solids; // empty: there are none
+    SolidDistances<dim>                 distances_of_centres;
   };
 } // namespace seiche
 

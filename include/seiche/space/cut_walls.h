@@ -115,11 +115,20 @@ namespace seiche
 
     struct Part
     {
-      VertexValues<dim> distance;
-      WetPart<dim>      whole;
+      dealii::Point<dim> lower, upper; ///< corners of the cell [m]
+      VertexValues<dim>  distance;
+      WetPart<dim>       whole;
+
+      bool
+      lies_like(const Part &other) const
+      {
+        return lower == other.lower && upper == other.upper &&
+               distance == other.distance;
+      }
     };
 
     const CellLocator<dim>   *locator = nullptr;
+    SolidDistances<dim>       distances_of_nodes;
     std::vector<double>       shares;
     std::vector<unsigned int> part_of_cell;
     std::vector<Part>         parts;
