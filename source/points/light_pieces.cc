@@ -122,7 +122,10 @@ namespace seiche
     const BoxPart<dim> own     = part(place);
     const double       measure = content(lattice_cell).lattice.measure();
     Piece              result{own.share * measure, own.centre, own.share == 1.};
-    if (own.share == 0. || (shape.is_box() && earlier.empty()))
+    // of a box alone, divided along its faces, all are whole
+    if (own.share == 0. ||
+        (shape.is_box() && earlier.empty() &&
+         !locator.cells.is_near_solid(lattice_cell.cell)))
       return result;
 
     Tensor<1, dim> moment = result.volume * (own.centre - Point<dim>());
