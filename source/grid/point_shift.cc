@@ -18,21 +18,12 @@ namespace seiche
   {
     for (unsigned int face = 0; face < 2 * dim; ++face)
       is_wall[face] = points.locator.cells.wall_at(cell, face);
-    const bool has_gradient = points.has(PointColumn::velocity_gradient);
-    for (unsigned int c = 0; c < dim; ++c)
-      {
-        position[c] = points.data(PointColumn::position, c);
-        velocity[c] = points.data(PointColumn::velocity, c);
-        for (unsigned int d = 0; d < dim; ++d)
-          gradient[c * dim + d] =
-            has_gradient ?
-              points.data(PointColumn::velocity_gradient, c * dim + d) :
-              nullptr;
-      }
+    for (unsigned int d = 0; d < dim; ++d)
+      position[d] = points.data(PointColumn::position, d);
   }
 
   template <int dim>
-  void
+  Tensor<1, dim>
   PointShift<dim>::apply(const std::size_t point, Tensor<1, dim> delta) const
   {
     const auto           &locator = points.locator;
@@ -63,17 +54,13 @@ namespace seiche
         for (unsigned int d = 0; d < dim; ++d)
           if (std::abs(place[d] - lower[d] - 0.5 * extent[d]) >
               0.5 * extent[d] + locator.cells.reach(cell)[d])
-            return;
+            return Tensor<1, dim>();
         if (locator.find(place, cell) == CellLocator<dim>::invalid)
-          return;
+          return Tensor<1, dim>();
       }
-    for (unsigned int c = 0; c < dim; ++c)
-      {
-        position[c][point] = place[c];
-        if (gradient[c] != nullptr)
-          for (unsigned int d = 0; d < dim; ++d)
-            velocity[c][point] += delta[d] * gradient[c * dim + d][point];
-      }
+    for (unsigned int d = 0; d < dim; ++d)
+      position[d][point] = place[d];
+    return delta;
   }
 
   template class PointShift<2>;

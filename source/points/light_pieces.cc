@@ -123,9 +123,8 @@ namespace seiche
     const double       measure = content(lattice_cell).lattice.measure();
     Piece              result{own.share * measure, own.centre, own.share == 1.};
     // of a box alone, divided along its faces, all are whole
-    if (own.share == 0. ||
-        (shape.is_box() && earlier.empty() &&
-         !locator.cells.is_near_solid(lattice_cell.cell)))
+    if (own.share == 0. || (shape.is_box() && earlier.empty() &&
+                            !locator.cells.is_near_solid(lattice_cell.cell)))
       return result;
 
     Tensor<1, dim> moment = result.volume * (own.centre - Point<dim>());

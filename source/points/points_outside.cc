@@ -87,16 +87,11 @@ namespace seiche
         double approach = -(normal * solid->velocity().at(here));
         for (unsigned int d = 0; d < dim; ++d)
           approach += normal[d] * data(PointColumn::velocity, d)[point];
-        const bool has_gradient = has(PointColumn::velocity_gradient);
         for (unsigned int c = 0; c < dim; ++c)
           {
             data(PointColumn::position, c)[point] += way * normal[c];
-            double &velocity = data(PointColumn::velocity, c)[point];
-            velocity -= std::min(0., approach) * normal[c];
-            for (unsigned int d = 0; has_gradient && d < dim; ++d)
-              velocity +=
-                way * normal[d] *
-                data(PointColumn::velocity_gradient, c * dim + d)[point];
+            data(PointColumn::velocity, c)[point] -=
+              std::min(0., approach) * normal[c];
           }
         // where a solid overhangs a side, its normal leads out of the domain
         if (locator.find(position(point), cell) == invalid)
