@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 
 namespace seiche
 {
@@ -133,44 +134,66 @@ namespace seiche
   template <int dim>
   double
   LevelAtWalls<dim>::level_below_plane(const Follower       &follower,
-                                       const Tensor<1, dim> &gradient) const
+                                       const Tensor<1, dim> &gradient,
+                                       const double          most) const
   {
-    constexpr int        digits = 30; // of 2
-    std::uintmax_t       trials = 30;
-    const CutWalls<dim> &walls  = occupancy.mesh_nodes.cut_walls;
-    VertexValues<dim>    plane, nowhere;
-    nowhere.fill(1.);
+    using Shape = GeometryInfo<dim>;
+    struct Part
+    {
+      VertexValues<dim> plane; // through the node
+      VertexValues<dim> wall;
+      double            whole; // integral of the node's hat
+      Corner            corner;
+    };
+    const CutWalls<dim> &walls = occupancy.mesh_nodes.cut_walls;
+    std::vector<Part>    parts;
+    for (const Corner &here : follower.corners)
+      if (walls.wet_share(here.cell) > 0.)
+        {
+          Part part{{}, {}, walls.hat_integrals(here.cell)[here.vertex], here};
+          part.wall.fill(1.);
+          if (walls.cuts(here.cell))
+            part.wall = walls.distance(here.cell);
+          for (const unsigned int v : Shape::vertex_indices())
+            part.plane[v] = gradient * (Shape::unit_cell_vertex(v) -
+                                        Shape::unit_cell_vertex(here.vertex));
+          parts.push_back(part);
+        }
     const auto excess = [&](const double level) {
       double result = -follower.fluid;
-      for (const Corner &here : follower.corners)
-        if (walls.wet_share(here.cell) > 0.)
-          {
-            for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
-              plane[v] =
-                level +
-                gradient * (GeometryInfo<dim>::unit_cell_vertex(v) -
-                            GeometryInfo<dim>::unit_cell_vertex(here.vertex));
-            result += occupancy.locator.cells.geometry(here.cell).measure *
-                      hat_integrals<dim>(plane,
-                                         walls.cuts(here.cell) ?
-                                           walls.distance(here.cell) :
-                                           nowhere)[here.vertex];
-          }
+      for (const auto &[plane, wall, whole, corner] : parts)
+        {
+          VertexValues<dim> phi = plane;
+          for (double &value : phi)
+            value += level;
+          const auto [lowest, highest] =
+            std::minmax_element(phi.begin(), phi.end());
+          if (*lowest < 0.)
+            result +=
+              occupancy.locator.cells.geometry(corner.cell).measure *
+              (*highest < 0. ? whole :
+                               hat_integrals<dim>(phi, wall)[corner.vertex]);
+        }
       return result;
     };
-    const double most = excess(-1.), least = excess(1.);
-    if (most <= 0.)
-      return -1.;
-    if (least >= 0.)
-      return 1.;
-    const auto [lower, upper] = boost::math::tools::toms748_solve(
-      excess,
-      -1.,
-      1.,
-      most,
-      least,
-      boost::math::tools::eps_tolerance<double>(digits),
-      trials);
+    const auto is_close = [](const double lower, const double upper) {
+      return upper - lower < 1e-8;
+    };
+    double       upper = most, lower = std::max(-1., most - 1.);
+    const double at_upper = excess(upper);
+    if (at_upper >= 0.)
+      return most;
+    double at_lower = excess(lower);
+    if (at_lower < 0. && lower > -1.)
+      {
+        lower    = -1.;
+        at_lower = excess(lower);
+      }
+    if (at_lower <= 0.)
+      return lower;
+    std::uintmax_t trials  = 30;
+    std::tie(lower, upper) = boost::math::tools::toms748_solve(
+      excess, lower, upper, at_lower, at_upper, is_close, trials);
     return 0.5 * (lower + upper);
   }
 
@@ -188,9 +211,9 @@ namespace seiche
             for (const Neighbor &neighbor : follower.neighbors)
               nearby.push_back(
                 {neighbor.way, rounded(level_of(neighbor, level))});
-            values.push_back(
-              level_from<dim>(nearby, [&](const Tensor<1, dim> &gradient) {
-                return level_below_plane(follower, gradient);
+            values.push_back(level_from<dim>(
+              nearby, [&](const Tensor<1, dim> &gradient, const double most) {
+                return level_below_plane(follower, gradient, most);
               }));
           }
         for (unsigned int i = 0; i < round.size(); ++i)

@@ -70,8 +70,9 @@ namespace seiche
 
   template <int dim>
   double
-  level_from(std::vector<LevelNearby<dim>>                       &nearby,
-             const std::function<double(const Tensor<1, dim> &)> &of_own_fluid)
+  level_from(std::vector<LevelNearby<dim>> &nearby,
+             const std::function<double(const Tensor<1, dim> &, const double)>
+               &of_own_fluid)
   {
     constexpr unsigned int most_rounds  = 10;
     constexpr double       least_slope  = 0.1; // less: there is none
@@ -88,10 +89,9 @@ namespace seiche
       if (!(value > 0. && untold > 0. && all.slope.norm() < likely_slope))
         return value;
       // perhaps a film: down the way that no levels tell
-      return std::min(value,
-                      of_own_fluid(all.slope -
-                                   std::sqrt(1. - all.slope.norm_square()) /
-                                     untold * all.untold));
+      return of_own_fluid(all.slope - std::sqrt(1. - all.slope.norm_square()) /
+                                        untold * all.untold,
+                          value);
     };
     if (std::none_of(nearby.begin(), nearby.end(), is_known))
       return at_node(all);
@@ -121,9 +121,11 @@ namespace seiche
   }
 
   template double
-  level_from<2>(std::vector<LevelNearby<2>> &,
-                const std::function<double(const Tensor<1, 2> &)> &);
+  level_from<2>(
+    std::vector<LevelNearby<2>> &,
+    const std::function<double(const Tensor<1, 2> &, const double)> &);
   template double
-  level_from<3>(std::vector<LevelNearby<3>> &,
-                const std::function<double(const Tensor<1, 3> &)> &);
+  level_from<3>(
+    std::vector<LevelNearby<3>> &,
+    const std::function<double(const Tensor<1, 3> &, const double)> &);
 } // namespace seiche

@@ -11,6 +11,13 @@ namespace seiche
 {
   using namespace dealii;
 
+  namespace
+  {
+    /// Share of its place below which a piece that no other one takes is left
+    /// out: alone in its cell so little fluid moves by round-off.
+    constexpr double negligible = 1e-4;
+  } // namespace
+
   template <int dim>
   bool
   BodyPieces<dim>::cross(Place &place, const BoxFace face)
@@ -144,6 +151,8 @@ namespace seiche
         result.is_whole = false;
         moment += volume * (gained.centre - Point<dim>());
       }
+    if (result.volume < negligible * measure)
+      return {0., own.centre, false};
     if (!result.is_whole)
       result.centre = Point<dim>(moment / result.volume);
     return result;

@@ -70,11 +70,12 @@ namespace seiche
     double
     level_of(const Neighbor &neighbor, const Vector &level) const;
 
-    /// Level set of a node whose fluid lies below a plane on which the level
-    /// set has this gradient [-].
+    /// Level set, @p most or less, of a node whose fluid lies below a plane on
+    /// which the level set has this gradient [-].
     double
     level_below_plane(const Follower               &follower,
-                      const dealii::Tensor<1, dim> &gradient) const;
+                      const dealii::Tensor<1, dim> &gradient,
+                      const double                  most) const;
 
     const Occupancy<dim>              &occupancy;
     std::vector<std::vector<Follower>> rounds; ///< as many on all ranks

@@ -24,14 +24,15 @@ namespace seiche
    *
    * One near the end of the level set says that it is there or beyond, for
    * there (5.0b) has an infinite slope. If all lie on one side of the node and
-   * are dry, they tell nothing of a film between: @p of_own_fluid, the level by
-   * the fluid at the node below a plane of this gradient, does.
+   * are dry, they tell nothing of a film between: @p of_own_fluid does, the
+   * level by the fluid at the node below a plane of this gradient, or the most
+   * that it may be.
    */
   template <int dim>
   double
-  level_from(
-    std::vector<LevelNearby<dim>>                               &nearby,
-    const std::function<double(const dealii::Tensor<1, dim> &)> &of_own_fluid);
+  level_from(std::vector<LevelNearby<dim>>                  &nearby,
+             const std::function<double(const dealii::Tensor<1, dim> &gradient,
+                                        const double most)> &of_own_fluid);
 } // namespace seiche
 
 #endif
