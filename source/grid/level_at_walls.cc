@@ -18,6 +18,12 @@ namespace seiche
   {
     /// Of a node whose level set is not its own: less of its hat is wet.
     constexpr double mostly_dry = 0.5;
+
+    /// Wet share of a hat that tells nothing: taken as below a film.
+    constexpr double negligible = 1e-3;
+
+    /// Of levels [cells] and of fluid below them.
+    constexpr double tolerance = 1e-6;
   } // namespace
 
   template <int dim>
@@ -147,6 +153,7 @@ namespace seiche
     };
     const CutWalls<dim> &walls = occupancy.mesh_nodes.cut_walls;
     std::vector<Part>    parts;
+    double               hat = 0., cells = 0.; // integrals [m^dim]
     for (const Corner &here : follower.corners)
       if (walls.wet_share(here.cell) > 0.)
         {
@@ -158,6 +165,10 @@ namespace seiche
             part.plane[v] = gradient * (Shape::unit_cell_vertex(v) -
                                         Shape::unit_cell_vertex(here.vertex));
           parts.push_back(part);
+          const double measure =
+            occupancy.locator.cells.geometry(here.cell).measure;
+          cells += measure;
+          hat += part.whole * measure;
         }
     const auto excess = [&](const double level) {
       double result = -follower.fluid;
@@ -174,11 +185,13 @@ namespace seiche
               (*highest < 0. ? whole :
                                hat_integrals<dim>(phi, wall)[corner.vertex]);
         }
-      return result;
+      return std::abs(result) < tolerance * hat ? 0. : result;
     };
     const auto is_close = [](const double lower, const double upper) {
-      return upper - lower < 1e-8;
+      return upper - lower < tolerance;
     };
+    if (hat < negligible * cells)
+      return -1.;
     double       upper = most, lower = std::max(-1., most - 1.);
     const double at_upper = excess(upper);
     if (at_upper >= 0.)

@@ -129,9 +129,10 @@ namespace seiche
     const BoxPart<dim> own     = part(place);
     const double       measure = content(lattice_cell).lattice.measure();
     Piece              result{own.share * measure, own.centre, own.share == 1.};
-    // of a box alone, divided along its faces, all are whole
-    if (own.share == 0. || (shape.is_box() && earlier.empty() &&
-                            !locator.cells.is_near_solid(lattice_cell.cell)))
+    if (own.share < negligible)
+      return {0., own.centre, false};
+    // a box is divided along its own faces
+    if (shape.is_box() && earlier.empty())
       return result;
 
     Tensor<1, dim> moment = result.volume * (own.centre - Point<dim>());
@@ -151,8 +152,6 @@ namespace seiche
         result.is_whole = false;
         moment += volume * (gained.centre - Point<dim>());
       }
-    if (result.volume < negligible * measure)
-      return {0., own.centre, false};
     if (!result.is_whole)
       result.centre = Point<dim>(moment / result.volume);
     return result;
