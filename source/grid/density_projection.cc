@@ -216,10 +216,11 @@ namespace seiche
                                PointCloud<dim>        &points) const
   {
     PointBatch<dim, 1, double> point;
-    double                     psi[point.n_nodes];
+    double                     psi[point.n_nodes], s[point.n_nodes];
     for (const unsigned int cell : free_cells)
       {
         occupancy.vertex_values(cell, potential, psi);
+        occupancy.vertex_values(cell, fill.inner_nodes(), s);
         const auto           &geometry = occupancy.locator.cells.geometry(cell);
         const PointShift<dim> shift(cell, points, domain);
         for (const std::size_t p : points.points_in(cell))
@@ -230,7 +231,7 @@ namespace seiche
             Tensor<1, dim> delta = geometry.to_unit(point.gradient(psi));
             for (unsigned int d = 0; d < dim; ++d)
               delta[d] = std::clamp(delta[d], -longest_shift, longest_shift);
-            shift.apply(p, delta);
+            shift.apply(p, delta, point.value(s));
           }
       }
   }

@@ -19,8 +19,8 @@ namespace seiche
     /// Of a node whose level set is not its own: less of its hat is wet.
     constexpr double mostly_dry = 0.5;
 
-    /// Wet share of a hat that tells nothing: taken as below a film.
-    constexpr double negligible = 1e-3;
+    /// Wet share of a hat that tells nothing: the slope does.
+    constexpr double negligible = 1e-4;
 
     /// Of levels [cells] and of fluid below them.
     constexpr double tolerance = 1e-6;
@@ -190,9 +190,9 @@ namespace seiche
     const auto is_close = [](const double lower, const double upper) {
       return upper - lower < tolerance;
     };
-    if (hat < negligible * cells)
-      return -1.;
     double       upper = most, lower = std::max(-1., most - 1.);
+    if (hat < negligible * cells)
+      return lower;
     const double at_upper = excess(upper);
     if (at_upper >= 0.)
       return most;

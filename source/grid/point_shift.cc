@@ -18,13 +18,24 @@ namespace seiche
   {
     for (unsigned int face = 0; face < 2 * dim; ++face)
       is_wall[face] = points.locator.cells.wall_at(cell, face);
-    for (unsigned int d = 0; d < dim; ++d)
-      position[d] = points.data(PointColumn::position, d);
+    const bool has_gradient = points.has(PointColumn::velocity_gradient);
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        position[c] = points.data(PointColumn::position, c);
+        velocity[c] = points.data(PointColumn::velocity, c);
+        for (unsigned int d = 0; d < dim; ++d)
+          gradient[c * dim + d] =
+            has_gradient ?
+              points.data(PointColumn::velocity_gradient, c * dim + d) :
+              nullptr;
+      }
   }
 
   template <int dim>
-  Tensor<1, dim>
-  PointShift<dim>::apply(const std::size_t point, Tensor<1, dim> delta) const
+  void
+  PointShift<dim>::apply(const std::size_t point,
+                         Tensor<1, dim>    delta,
+                         const double      velocity_share) const
   {
     const auto           &locator = points.locator;
     const Tensor<1, dim> &extent  = locator.cells.geometry(cell).edges;
@@ -54,13 +65,18 @@ namespace seiche
         for (unsigned int d = 0; d < dim; ++d)
           if (std::abs(place[d] - lower[d] - 0.5 * extent[d]) >
               0.5 * extent[d] + locator.cells.reach(cell)[d])
-            return Tensor<1, dim>();
+            return;
         if (locator.find(place, cell) == CellLocator<dim>::invalid)
-          return Tensor<1, dim>();
+          return;
       }
-    for (unsigned int d = 0; d < dim; ++d)
-      position[d][point] = place[d];
-    return delta;
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        position[c][point] = place[c];
+        if (gradient[c] != nullptr)
+          for (unsigned int d = 0; d < dim; ++d)
+            velocity[c][point] +=
+              velocity_share * delta[d] * gradient[c * dim + d][point];
+      }
   }
 
   template class PointShift<2>;

@@ -80,13 +80,7 @@ namespace seiche
                                             unit[d] * jump[d][1])),
                            -longest_shift,
                            longest_shift);
-            const Tensor<1, dim> way = shift.apply(p, delta);
-            if (points.has(PointColumn::velocity_gradient))
-              for (unsigned int c = 0; c < dim; ++c)
-                for (unsigned int d = 0; d < dim; ++d)
-                  points.data(PointColumn::velocity, c)[p] +=
-                    way[d] *
-                    points.data(PointColumn::velocity_gradient, c * dim + d)[p];
+            shift.apply(p, delta, /*velocity_share=*/1.);
           }
       }
   }

@@ -16,7 +16,8 @@ namespace seiche
    * A shift is shortened before the cell's walls: the distance a from one
    * becomes a^2/(a + |delta|) (doc/theory.md (5.4)), where sides of the domain
    * that move are taken where they are by then. No point goes around the edge
-   * of an obstacle.
+   * of an obstacle. Its velocity follows by the gradient that it carries, by a
+   * share: all of it in spray feeds on itself (doc/theory.md (5.1)).
    */
   template <int dim>
   class PointShift
@@ -28,16 +29,20 @@ namespace seiche
                PointCloud<dim>                &points,
                const dealii::BoundingBox<dim> &domain);
 
-    /// By @p delta [cells]; returned is the shift that was made [m].
-    dealii::Tensor<1, dim>
-    apply(const std::size_t point, dealii::Tensor<1, dim> delta) const;
+    /// @p delta [cells]
+    void
+    apply(const std::size_t      point,
+          dealii::Tensor<1, dim> delta,
+          const double           velocity_share) const;
 
   private:
     const unsigned int              cell;
     PointCloud<dim>                &points;
     const dealii::BoundingBox<dim> &domain;
     std::array<bool, 2 * dim>       is_wall; ///< face
-    std::array<double *, dim>       position;
+    std::array<double *, dim>       position, velocity;
+    /// d v_c/d x_d at c dim + d; null if points carry none
+    std::array<const double *, dim * dim> gradient;
   };
 } // namespace seiche
 
