@@ -190,7 +190,7 @@ namespace seiche
     const auto is_close = [](const double lower, const double upper) {
       return upper - lower < tolerance;
     };
-    double       upper = most, lower = std::max(-1., most - 1.);
+    double upper = most, lower = std::max(-1., most - 1.);
     if (hat < negligible * cells)
       return lower;
     const double at_upper = excess(upper);
