@@ -3,12 +3,9 @@
 #include <seiche/grid/level_nearby.h>
 #include <seiche/space/cut_cell.h>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <tuple>
+#include <iterator>
 
 namespace seiche
 {
@@ -18,12 +15,6 @@ namespace seiche
   {
     /// Of a node whose level set is not its own: less of its hat is wet.
     constexpr double mostly_dry = 0.5;
-
-    /// Wet share of a hat that tells nothing: the slope does.
-    constexpr double negligible = 1e-4;
-
-    /// Of levels [cells] and of fluid below them.
-    constexpr double tolerance = 1e-6;
   } // namespace
 
   template <int dim>
@@ -45,7 +36,10 @@ namespace seiche
         {
           place[i] = result.size();
           result.push_back(
-            {i, wet_fill.local_element(i) * nodes.volume(i), {}, {}});
+            {i,
+             FluidBelowPlane<dim>(wet_fill.local_element(i) * nodes.volume(i)),
+             {},
+             {}});
         }
     for (unsigned int cell = 0; cell < occupancy.locator.cells.size(); ++cell)
       if (occupancy.cells.is_active(cell))
@@ -58,6 +52,17 @@ namespace seiche
                 !occupancy.mesh_nodes.hanging.hangs(cell, a))
               result[place[node]].corners.push_back({cell, v});
           }
+    const CutWalls<dim> &walls = occupancy.mesh_nodes.cut_walls;
+    VertexValues<dim>    nowhere;
+    nowhere.fill(1.);
+    for (Follower &node : result)
+      for (const auto &[cell, vertex] : node.corners)
+        if (walls.wet_share(cell) > 0.)
+          node.fluid.add_cell(vertex,
+                              occupancy.locator.cells.geometry(cell).measure,
+                              walls.hat_integrals(cell)[vertex],
+                              walls.cuts(cell) ? walls.distance(cell) :
+                                                 nowhere);
     return result;
   }
 
@@ -101,27 +106,24 @@ namespace seiche
     bool                  any_found = true;
     while (any_found)
       {
-        std::vector<Follower> found;
-        for (const Follower &node : waiting)
-          if (auto neighbors = known_neighbors(node, unknown);
-              !neighbors.empty())
-            {
-              found.push_back(node);
-              found.back().neighbors = std::move(neighbors);
-            }
-        any_found = Utilities::MPI::sum(found.size(),
+        for (Follower &node : waiting)
+          node.neighbors = known_neighbors(node, unknown);
+        const auto found =
+          std::stable_partition(waiting.begin(),
+                                waiting.end(),
+                                [](const Follower &node) {
+                                  return node.neighbors.empty();
+                                });
+        any_found = Utilities::MPI::sum(waiting.end() - found,
                                         wet_shares.get_mpi_communicator()) > 0;
-        for (const Follower &follower : found)
-          unknown.local_element(follower.node) = 0.;
+        if (any_found)
+          rounds.emplace_back(std::make_move_iterator(found),
+                              std::make_move_iterator(waiting.end()));
+        waiting.erase(found, waiting.end());
+        if (any_found)
+          for (const Follower &follower : rounds.back())
+            unknown.local_element(follower.node) = 0.;
         unknown.update_ghost_values();
-        waiting.erase(std::remove_if(waiting.begin(),
-                                     waiting.end(),
-                                     [&](const Follower &node) {
-                                       return unknown.local_element(
-                                                node.node) == 0.;
-                                     }),
-                      waiting.end());
-        rounds.push_back(std::move(found));
       }
   }
 
@@ -135,79 +137,6 @@ namespace seiche
     VertexValues<dim> values;
     occupancy.vertex_values(neighbor.corner.cell, level, values.data());
     return values[neighbor.corner.vertex];
-  }
-
-  template <int dim>
-  double
-  LevelAtWalls<dim>::level_below_plane(const Follower       &follower,
-                                       const Tensor<1, dim> &gradient,
-                                       const double          most) const
-  {
-    using Shape = GeometryInfo<dim>;
-    struct Part
-    {
-      VertexValues<dim> plane; // through the node
-      VertexValues<dim> wall;
-      double            whole; // integral of the node's hat
-      Corner            corner;
-    };
-    const CutWalls<dim> &walls = occupancy.mesh_nodes.cut_walls;
-    std::vector<Part>    parts;
-    double               hat = 0., cells = 0.; // integrals [m^dim]
-    for (const Corner &here : follower.corners)
-      if (walls.wet_share(here.cell) > 0.)
-        {
-          Part part{{}, {}, walls.hat_integrals(here.cell)[here.vertex], here};
-          part.wall.fill(1.);
-          if (walls.cuts(here.cell))
-            part.wall = walls.distance(here.cell);
-          for (const unsigned int v : Shape::vertex_indices())
-            part.plane[v] = gradient * (Shape::unit_cell_vertex(v) -
-                                        Shape::unit_cell_vertex(here.vertex));
-          parts.push_back(part);
-          const double measure =
-            occupancy.locator.cells.geometry(here.cell).measure;
-          cells += measure;
-          hat += part.whole * measure;
-        }
-    const auto excess = [&](const double level) {
-      double result = -follower.fluid;
-      for (const auto &[plane, wall, whole, corner] : parts)
-        {
-          VertexValues<dim> phi = plane;
-          for (double &value : phi)
-            value += level;
-          const auto [lowest, highest] =
-            std::minmax_element(phi.begin(), phi.end());
-          if (*lowest < 0.)
-            result +=
-              occupancy.locator.cells.geometry(corner.cell).measure *
-              (*highest < 0. ? whole :
-                               hat_integrals<dim>(phi, wall)[corner.vertex]);
-        }
-      return std::abs(result) < tolerance * hat ? 0. : result;
-    };
-    const auto is_close = [](const double lower, const double upper) {
-      return upper - lower < tolerance;
-    };
-    double upper = most, lower = std::max(-1., most - 1.);
-    if (hat < negligible * cells)
-      return lower;
-    const double at_upper = excess(upper);
-    if (at_upper >= 0.)
-      return most;
-    double at_lower = excess(lower);
-    if (at_lower < 0. && lower > -1.)
-      {
-        lower    = -1.;
-        at_lower = excess(lower);
-      }
-    if (at_lower <= 0.)
-      return lower;
-    std::uintmax_t trials  = 30;
-    std::tie(lower, upper) = boost::math::tools::toms748_solve(
-      excess, lower, upper, at_lower, at_upper, is_close, trials);
-    return 0.5 * (lower + upper);
   }
 
   template <int dim>
@@ -226,7 +155,7 @@ namespace seiche
                 {neighbor.way, rounded(level_of(neighbor, level))});
             values.push_back(level_from<dim>(
               nearby, [&](const Tensor<1, dim> &gradient, const double most) {
-                return level_below_plane(follower, gradient, most);
+                return follower.fluid.level(gradient, most);
               }));
           }
         for (unsigned int i = 0; i < round.size(); ++i)

@@ -69,8 +69,7 @@ namespace seiche
         if (cell == invalid || !locator.cells.is_near_solid(cell))
           break;
         const CellGeometry<dim> &geometry = locator.cells.geometry(cell);
-        const Solid<dim>        *solid    = nearest_solid(solids, here);
-        if (solid->shape->distance(here) > geometry.edges.norm())
+        if (distance_from(solids, here) > geometry.edges.norm())
           break;
         const SolidDistance<dim> wall(solids, geometry);
         const double             distance = wall.value(here);
@@ -84,7 +83,8 @@ namespace seiche
         const double way =
           -distance / steepness +
           (last == invalid ? 0. : beside * geometry.shortest_edge());
-        double approach = -(normal * solid->velocity().at(here));
+        double approach =
+          -(normal * nearest_solid(solids, here)->velocity().at(here));
         for (unsigned int d = 0; d < dim; ++d)
           approach += normal[d] * data(PointColumn::velocity, d)[point];
         for (unsigned int c = 0; c < dim; ++c)

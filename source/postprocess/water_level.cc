@@ -46,8 +46,7 @@ namespace seiche
         for (unsigned int i = 0; i < most_steps && place[dim - 1] < top; ++i)
           {
             // no surface is nearer than that
-            const double depth =
-              -nearest_solid(solids, place)->shape->distance(place);
+            const double depth = -distance_from(solids, place);
             if (!(depth > slack))
               break;
             place[dim - 1] = std::min(top, place[dim - 1] + depth);

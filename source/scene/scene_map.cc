@@ -57,8 +57,7 @@ namespace seiche
       for (const auto &box : grid.obstacles())
         if (box.box().point_inside(x))
           return SceneMap<dim>::obstacle;
-      if (const Solid<dim> *solid = nearest_solid(grid.solids, x);
-          solid != nullptr && solid->shape->distance(x) < 0.)
+      if (distance_from(grid.solids, x) < 0.)
         return SceneMap<dim>::obstacle;
       for (unsigned int b = 0; b < bodies.size(); ++b)
         if (bodies[b].shape->bounding_box().point_inside(x) &&

@@ -248,9 +248,21 @@ namespace seiche
     return result;
   }
 
+  template <int dim>
+  double
+  distance_from(const std::vector<Solid<dim>> &solids, const Point<dim> &x)
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for (const Solid<dim> &solid : solids)
+      result = std::min(result, solid.shape->distance(x));
+    return result;
+  }
+
 #define INSTANTIATE(dim)                                                       \
   template struct Solid<dim>;                                                  \
   template const Solid<dim> *nearest_solid(const std::vector<Solid<dim>> &,    \
+                                           const Point<dim> &);                \
+  template double            distance_from(const std::vector<Solid<dim>> &,    \
                                            const Point<dim> &);                \
   template bool              any_moves(const std::vector<Solid<dim>> &);       \
   template bool              any_may_be_left(const std::vector<Solid<dim>> &); \

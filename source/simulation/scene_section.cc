@@ -156,9 +156,7 @@ namespace seiche
       {
         if (!grid.solids.empty())
           draw_area(
-            [&](const Point<dim> &x) {
-              return nearest_solid(grid.solids, x)->shape->distance(x);
-            },
+            [&](const Point<dim> &x) { return distance_from(grid.solids, x); },
             solid_style);
       }
 

@@ -2,6 +2,7 @@
 #ifndef seiche_grid_level_at_walls_h
 #define seiche_grid_level_at_walls_h
 
+#include <seiche/grid/fluid_below_plane.h>
 #include <seiche/space/occupancy.h>
 
 #include <vector>
@@ -54,7 +55,7 @@ namespace seiche
     struct Follower
     {
       unsigned int          node;
-      double                fluid;   ///< in its hat [m^dim]
+      FluidBelowPlane<dim>  fluid;
       std::vector<Corner>   corners; ///< that it is
       std::vector<Neighbor> neighbors;
     };
@@ -69,13 +70,6 @@ namespace seiche
 
     double
     level_of(const Neighbor &neighbor, const Vector &level) const;
-
-    /// Level set, @p most or less, of a node whose fluid lies below a plane on
-    /// which the level set has this gradient [-].
-    double
-    level_below_plane(const Follower               &follower,
-                      const dealii::Tensor<1, dim> &gradient,
-                      const double                  most) const;
 
     const Occupancy<dim>              &occupancy;
     std::vector<std::vector<Follower>> rounds; ///< as many on all ranks

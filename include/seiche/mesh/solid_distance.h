@@ -21,10 +21,8 @@ namespace seiche
       : cell(geometry)
     {
       for (const unsigned int v : Shape::vertex_indices())
-        {
-          const dealii::Point<dim> x = cell.to_real(Shape::unit_cell_vertex(v));
-          at_vertices[v] = nearest_solid(solids, x)->shape->distance(x);
-        }
+        at_vertices[v] =
+          distance_from(solids, cell.to_real(Shape::unit_cell_vertex(v)));
     }
 
     /// [m], positive in the fluid.

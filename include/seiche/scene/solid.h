@@ -104,6 +104,12 @@ namespace seiche
   nearest_solid(const std::vector<Solid<dim>> &solids,
                 const dealii::Point<dim>      &x);
 
+  /// Distance from the nearest one [m], negative in it; infinite without any.
+  template <int dim>
+  double
+  distance_from(const std::vector<Solid<dim>> &solids,
+                const dealii::Point<dim>      &x);
+
   /// prm entries of "Solid NAME".
   template <int dim>
   struct SolidParameters
