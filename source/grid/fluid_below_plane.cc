@@ -22,6 +22,9 @@ namespace seiche
 
     /// Of levels [cells] and of fluid over the hat's integral.
     constexpr double tolerance = 1e-6;
+
+    /// From the guess to a bracket of the level [cells].
+    constexpr double first_step = 0.02, step_growth = 8.;
   } // namespace
 
   template <int dim>
@@ -56,7 +59,7 @@ namespace seiche
           result +=
             part.measure * (*highest < 0. ?
                               part.wet_hat :
-                              hat_integrals<dim>(phi, part.wall)[part.vertex]);
+                              hat_integral<dim>(part.vertex, phi, part.wall));
       }
     return std::abs(result) < tolerance * hat ? 0. : result;
   }
@@ -64,28 +67,42 @@ namespace seiche
   template <int dim>
   double
   FluidBelowPlane<dim>::level(const Tensor<1, dim> &gradient,
-                              const double          most) const
+                              const double          most,
+                              const double          guess) const
   {
+    if (hat < negligible * cells || fluid > (1. - tolerance) * hat)
+      return std::max(-1., most - 1.);
+    if (fluid < tolerance * hat)
+      return most;
     const auto missing_at = [&](const double level) {
       return missing(gradient, level);
     };
-    const auto is_close = [](const double lower, const double upper) {
-      return upper - lower < tolerance;
-    };
-    double upper = most, lower = std::max(-1., most - 1.);
-    if (hat < negligible * cells)
-      return lower;
-    const double at_upper = missing_at(upper);
-    if (at_upper >= 0.)
-      return most;
-    double at_lower = missing_at(lower);
-    if (at_lower < 0. && lower > -1.)
+    double upper    = std::clamp(guess, -1., most);
+    double at_upper = missing_at(upper);
+    double lower = upper, at_lower = at_upper;
+    for (double step = first_step; at_lower < 0. && lower > -1.;
+         step *= step_growth)
       {
-        lower    = -1.;
+        upper    = lower;
+        at_upper = at_lower;
+        lower    = std::max(-1., lower - step);
         at_lower = missing_at(lower);
+      }
+    for (double step = first_step; at_upper > 0. && upper < most;
+         step *= step_growth)
+      {
+        lower    = upper;
+        at_lower = at_upper;
+        upper    = std::min(most, upper + step);
+        at_upper = missing_at(upper);
       }
     if (at_lower <= 0.)
       return lower;
+    if (at_upper >= 0.)
+      return upper;
+    const auto is_close = [](const double a, const double b) {
+      return b - a < tolerance;
+    };
     std::uintmax_t trials  = 30;
     std::tie(lower, upper) = boost::math::tools::toms748_solve(
       missing_at, lower, upper, at_lower, at_upper, is_close, trials);

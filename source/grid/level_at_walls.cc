@@ -155,7 +155,9 @@ namespace seiche
                 {neighbor.way, rounded(level_of(neighbor, level))});
             values.push_back(level_from<dim>(
               nearby, [&](const Tensor<1, dim> &gradient, const double most) {
-                return follower.fluid.level(gradient, most);
+                return follower.fluid.level(gradient,
+                                            most,
+                                            level.local_element(follower.node));
               }));
           }
         for (unsigned int i = 0; i < round.size(); ++i)

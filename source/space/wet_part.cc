@@ -6,6 +6,7 @@
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace seiche
@@ -51,23 +52,25 @@ namespace seiche
       Tensor<1, dim>   gradient;
     };
 
-    /// Rules of degree dim with positive weights: the middles of a triangle's
-    /// edges; the vertices of a tetrahedron and the centres of its faces.
+    /// action(point) on rules of degree dim with positive weights: the middles
+    /// of a triangle's edges; the vertices of a tetrahedron and the centres of
+    /// its faces.
+    template <typename Action>
     void
-    add_points(const std::array<Point<2>, 3> &x,
-               std::vector<WeightedPoint<2>> &points)
+    for_each_point(const std::array<Point<2>, 3> &x, const Action &action)
     {
       const double area =
         0.5 * std::abs((x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) -
                        (x[2][0] - x[0][0]) * (x[1][1] - x[0][1]));
       if (area > 0.)
         for (unsigned int v = 0; v < 3; ++v)
-          points.push_back({x[v] + 0.5 * (x[(v + 1) % 3] - x[v]), area / 3.});
+          action(
+            WeightedPoint<2>{x[v] + 0.5 * (x[(v + 1) % 3] - x[v]), area / 3.});
     }
 
+    template <typename Action>
     void
-    add_points(const std::array<Point<3>, 4> &x,
-               std::vector<WeightedPoint<3>> &points)
+    for_each_point(const std::array<Point<3>, 4> &x, const Action &action)
     {
       const double volume =
         std::abs(cross_product_3d(x[1] - x[0], x[2] - x[0]) * (x[3] - x[0])) /
@@ -75,12 +78,12 @@ namespace seiche
       if (volume > 0.)
         for (unsigned int v = 0; v < 4; ++v)
           {
-            points.push_back({x[v], volume / 40.});
+            action(WeightedPoint<3>{x[v], volume / 40.});
             Point<3> opposite;
             for (unsigned int w = 0; w < 4; ++w)
               if (w != v)
                 opposite += Tensor<1, 3>(x[w]) / 3.;
-            points.push_back({opposite, 9. * volume / 40.});
+            action(WeightedPoint<3>{opposite, 9. * volume / 40.});
           }
     }
 
@@ -106,19 +109,45 @@ namespace seiche
         }
     }
 
-    /// action(vertices) on simplices of what both functions leave of one of the
-    /// cell's.
+    template <int dim>
+    bool
+    is_outside(const CellSimplex<dim> &simplex)
+    {
+      return std::all_of(simplex.values.begin(),
+                         simplex.values.end(),
+                         [](const double value) { return value >= 0.; });
+    }
+
+    /// action(point) on a rule for what both functions leave of one of the
+    /// cell's simplices.
     template <int dim, typename Action>
     void
-    for_each_part(const CellSimplex<dim>    &of_wall,
-                  const LinearFunction<dim> &level,
-                  const Action              &action)
+    for_each_point_inside(const CellSimplex<dim> &of_wall,
+                          const CellSimplex<dim> &of_surface,
+                          const Action           &action)
     {
+      if (is_outside<dim>(of_wall) || is_outside<dim>(of_surface))
+        return;
       using Vertices = typename DividedSimplex<dim>::Vertices;
+      const LinearFunction<dim> level(of_surface);
       DividedSimplex<dim>(of_wall).for_each_inside([&](const Vertices &wet) {
         const auto simplex = level.template on<dim>(wet);
-        DividedSimplex<dim>(simplex).for_each_inside(action);
+        DividedSimplex<dim>(simplex).for_each_inside(
+          [&](const Vertices &part) { for_each_point(part, action); });
       });
+    }
+
+    /// action(point) on a rule for what both functions leave of the cell.
+    template <int dim, typename Action>
+    void
+    for_each_point_inside(const VertexValues<dim> &surface,
+                          const VertexValues<dim> &wall,
+                          const Action            &action)
+    {
+      const auto of_surface = cell_simplices<dim>(surface),
+                 of_wall    = cell_simplices<dim>(negated<dim>(wall));
+      for (unsigned int s = 0; s < of_wall.size(); ++s)
+        for_each_point_inside<dim>(of_wall[s], of_surface[s], action);
     }
   } // namespace
 
@@ -131,14 +160,19 @@ namespace seiche
                of_wall    = cell_simplices<dim>(negated<dim>(wall_distance));
 
     std::vector<WeightedPoint<dim>> all;
+    std::vector<SurfacePiece<dim>>  pieces;
     for (unsigned int s = 0; s < of_wall.size(); ++s)
       {
-        const LinearFunction<dim> level(of_surface[s]);
-        for_each_part(of_wall[s], level, [&](const auto &part) {
-          add_points(part, all);
-        });
-        std::vector<SurfacePiece<dim>> pieces;
+        for_each_point_inside<dim>(of_wall[s],
+                                   of_surface[s],
+                                   [&](const WeightedPoint<dim> &point) {
+                                     all.push_back(point);
+                                   });
+        pieces.clear();
         add_pieces<dim>(of_wall[s], pieces);
+        if (pieces.empty() || is_outside<dim>(of_surface[s]))
+          continue;
+        const LinearFunction<dim> level(of_surface[s]);
         for (const SurfacePiece<dim> &piece : pieces)
           {
             const auto with_level = level.template on<dim - 1>(piece);
@@ -157,18 +191,30 @@ namespace seiche
   VertexValues<dim>
   hat_integrals(const VertexValues<dim> &surface, const VertexValues<dim> &wall)
   {
-    const auto of_surface = cell_simplices<dim>(surface),
-               of_wall    = cell_simplices<dim>(negated<dim>(wall));
-    std::vector<WeightedPoint<dim>> points;
-    for (unsigned int s = 0; s < of_wall.size(); ++s)
-      for_each_part(of_wall[s],
-                    LinearFunction<dim>(of_surface[s]),
-                    [&](const auto &part) { add_points(part, points); });
     VertexValues<dim> result{};
-    for (const WeightedPoint<dim> &point : points)
-      for (unsigned int v = 0; v < result.size(); ++v)
-        result[v] += point.weight *
-                     GeometryInfo<dim>::d_linear_shape_function(point.unit, v);
+    for_each_point_inside<dim>(
+      surface, wall, [&](const WeightedPoint<dim> &point) {
+        for (unsigned int v = 0; v < result.size(); ++v)
+          result[v] +=
+            point.weight *
+            GeometryInfo<dim>::d_linear_shape_function(point.unit, v);
+      });
+    return result;
+  }
+
+  template <int dim>
+  double
+  hat_integral(const unsigned int       vertex,
+               const VertexValues<dim> &surface,
+               const VertexValues<dim> &wall)
+  {
+    double result = 0.;
+    for_each_point_inside<dim>(
+      surface, wall, [&](const WeightedPoint<dim> &point) {
+        result +=
+          point.weight *
+          GeometryInfo<dim>::d_linear_shape_function(point.unit, vertex);
+      });
     return result;
   }
 
@@ -178,4 +224,12 @@ namespace seiche
   hat_integrals<2>(const VertexValues<2> &, const VertexValues<2> &);
   template VertexValues<3>
   hat_integrals<3>(const VertexValues<3> &, const VertexValues<3> &);
+  template double
+  hat_integral<2>(const unsigned int,
+                  const VertexValues<2> &,
+                  const VertexValues<2> &);
+  template double
+  hat_integral<3>(const unsigned int,
+                  const VertexValues<3> &,
+                  const VertexValues<3> &);
 } // namespace seiche

@@ -18,7 +18,7 @@ namespace
   /// The node is the middle of the cells' floor; the bed is 0.4 cells above it.
   template <int dim>
   double
-  level_of_film(const double depth, const double most)
+  level_of_film(const double depth, const double most, const double guess)
   {
     using Shape = GeometryInfo<dim>;
     Tensor<1, dim> gradient, bed;
@@ -50,7 +50,7 @@ namespace
               fluid += 0.1 * hat_integrals<dim>(phi, wall)[vertex];
           }
         if (is_filled)
-          return result.level(gradient, most);
+          return result.level(gradient, most, guess);
       }
     return 0.;
   }
@@ -61,12 +61,14 @@ namespace
   {
     double error = 0.;
     for (const double depth : {0.01, 0.05, 0.2, 0.55})
-      error =
-        std::max(error, std::abs(level_of_film<dim>(depth, 0.5) + 0.4 + depth));
+      for (const double guess : {-1., -0.4 - depth, 0., 1.})
+        error = std::max(error,
+                         std::abs(level_of_film<dim>(depth, 0.5, guess) + 0.4 +
+                                  depth));
     std::cout << dim << "D, films: " << (error < 1e-4 ? "right" : "WRONG")
-              << ", dry: " << level_of_film<dim>(-0.2, 0.5)
+              << ", dry: " << level_of_film<dim>(-0.2, 0.5, 0.)
               << ", no more than the neighbours say: "
-              << level_of_film<dim>(0.2, -0.7) << '\n';
+              << level_of_film<dim>(0.2, -0.7, 0.) << '\n';
   }
 } // namespace
 

@@ -33,9 +33,12 @@ namespace seiche
              const VertexValues<dim> &wall);
 
     /// Level set at the node [cells], @p most or less, if the fluid lies below
-    /// a plane on which the level set has this gradient [-].
+    /// a plane on which the level set has this gradient [-]; sought from
+    /// @p guess on.
     double
-    level(const dealii::Tensor<1, dim> &gradient, const double most) const;
+    level(const dealii::Tensor<1, dim> &gradient,
+          const double                  most,
+          const double                  guess) const;
 
   private:
     struct Part

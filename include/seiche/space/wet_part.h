@@ -76,6 +76,13 @@ namespace seiche
   VertexValues<dim>
   hat_integrals(const VertexValues<dim> &surface,
                 const VertexValues<dim> &wall);
+
+  /// The same of one vertex.
+  template <int dim>
+  double
+  hat_integral(const unsigned int       vertex,
+               const VertexValues<dim> &surface,
+               const VertexValues<dim> &wall);
 } // namespace seiche
 
 #endif
