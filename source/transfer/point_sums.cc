@@ -153,7 +153,8 @@ namespace seiche
           if (occupancy.degree(cell) != degree)
             continue;
           const auto nodes = occupancy.template unknowns<degree>(cell);
-          const PointVelocity<dim>    velocity(arrays, gradient, points, cell);
+          const PointVelocity<dim> velocity(
+            arrays, gradient, points, occupancy, cell);
           const auto                  sum = velocity.is_affine() ?
                                               sum_cell<dim, degree, true, with_acceleration> :
                                               sum_cell<dim, degree, false, with_acceleration>;

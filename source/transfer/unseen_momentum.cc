@@ -28,7 +28,8 @@ namespace seiche
           const auto nodes = occupancy.template unknowns<degree>(cell);
           if (nodes.zeros == nullptr)
             continue;
-          const PointVelocity<dim> velocity(arrays, gradient, points, cell);
+          const PointVelocity<dim> velocity(
+            arrays, gradient, points, occupancy, cell);
           for (const std::size_t p : points.points_in(cell))
             {
               const Point<dim> x = points.position(p);

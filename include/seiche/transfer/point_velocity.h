@@ -2,6 +2,7 @@
 #ifndef seiche_transfer_point_velocity_h
 #define seiche_transfer_point_velocity_h
 
+#include <seiche/space/occupancy.h>
 #include <seiche/transfer/point_arrays.h>
 #include <seiche/transfer/transfer.h>
 
@@ -14,12 +15,15 @@ namespace seiche
   /// Share of the velocity gradient that the points of a cell pass on. Few
   /// points define no gradient (one in dim dimensions takes dim + 1): C would
   /// feed on itself through nodes of little mass, to which it extrapolates,
-  /// and spray explode (doc/theory.md (7.1a)).
+  /// and spray explode. What counts is how densely they lie in the part of the
+  /// cell that is outside of the solids, @p wet_share (doc/theory.md (7.1a)).
   template <int dim>
   double
-  gradient_share(const unsigned int n_points)
+  gradient_share(const unsigned int n_points, const double wet_share)
   {
-    return std::min(1., (static_cast<double>(n_points) - 1.) / (dim + 1.));
+    return wet_share * (dim + 2.) <= n_points ?
+             1. :
+             std::max(0., (n_points / wet_share - 1.) / (dim + 1.));
   }
 
 
@@ -33,11 +37,14 @@ namespace seiche
     PointVelocity(const PointArrays<dim, const PointCloud<dim>> &point_arrays,
                   const GradientUse                              use,
                   const PointCloud<dim>                         &points,
+                  const Occupancy<dim>                          &occupancy,
                   const unsigned int                             cell)
       : arrays(point_arrays)
-      , share(use == GradientUse::none ?
-                0. :
-                gradient_share<dim>(points.n_points_in(cell)))
+      , share(
+          use == GradientUse::none ?
+            0. :
+            gradient_share<dim>(points.n_points_in(cell),
+                                occupancy.mesh_nodes.cut_walls.wet_share(cell)))
       , fitted(use == GradientUse::fitted)
     {
       if (fitted)
