@@ -71,14 +71,19 @@ def write_mesh(path, mesh, element, part, first, sets):
         file.write("\n".join(lines) + "\n")
 
 
-def write_case(options):
-    """The input files; the project parameters."""
+def walls_of(grid, dim):
+    """The nodes on the sides of a grid, by axis."""
+    low, high = grid[0].min(0), grid[0].max(0)
+    return {"WALL_" + "XYZ"[d]: np.where(np.minimum(grid[0][:, d] - low[d], high[d] - grid[0][:, d]) < 1e-9)[0]
+            for d in range(dim)}
+
+
+def write_case(options, body, grid, down):
+    """The input files of the mesh `body`, which gets the points, in the mesh `grid`
+    with walls at its sides and gravity along `down`; the project parameters."""
     dim = options.dim
-    tank, column = ([3.22, 2.0], [1.2, 0.6]) if dim == 2 else ([1.6, 0.4, 0.8], [0.4, 0.4, 0.4])
     base = os.path.join(options.output, "case")
-    body, grid = box_mesh(column, options.h), box_mesh(tank, options.h)
-    walls = {"WALL_" + "XYZ"[d]: np.where(np.minimum(grid[0][:, d], tank[d] - grid[0][:, d]) < 1e-9)[0]
-             for d in range(dim)}
+    walls = walls_of(grid, dim)
     kind = "2D4N" if dim == 2 else "3D8N"
     write_mesh(base + "_Grid", grid, "Element" + kind, "Grid", (1, 1), walls)
     write_mesh(base + "_Body", body, "MPMUpdatedLagrangian" + kind, "Parts",
@@ -122,7 +127,7 @@ def write_case(options):
                 "kratos_module": "KratosMultiphysics.MPMApplication",
                 "process_name": "AssignGravityToMaterialPointProcess",
                 "Parameters": {"model_part_name": "MPM_Material", "modulus": 9.81,
-                               "direction": [-float(i == dim - 1) for i in range(3)]}}]},
+                               "direction": list(down)}}]},
         "output_processes": {}, "analysis_stage": "KratosMultiphysics.MPMApplication.mpm_analysis"}
 
 
@@ -130,6 +135,7 @@ class Timed(MpmAnalysis):
     """Their analysis; processor time and Newton iterations of each step."""
 
     def __init__(self, parameters):
+        KM.Logger.GetDefaultOutput().SetSeverity(KM.Logger.Severity.WARNING)
         self.seconds, self.iterations = [], []
         super().__init__(KM.Model(), KM.Parameters(json.dumps(parameters)))
 
@@ -142,23 +148,36 @@ class Timed(MpmAnalysis):
             self.InitializeSolutionStep()
             solver.Predict()
             if not solver.SolveSolutionStep():
-                raise SystemExit("a step did not converge")
+                self.not_converged()
             self.FinalizeSolutionStep()
             self.seconds.append(time.process_time() - begin)
             self.iterations.append(int(info[KM.NL_ITERATION_NUMBER]))
+            self.after_step()
+
+    def not_converged(self):
+        raise SystemExit("a step did not converge")
+
+    def after_step(self):
+        """For what is recorded; not timed."""
+
+    def write_result(self, folder):
+        steps = len(self.seconds)
+        version = KM.KratosGlobals.Kernel.Version().split("-")[0].replace('"', "")
+        with open(os.path.join(folder, "kratos.json"), "w", encoding="utf-8") as file:
+            json.dump({"version": "Kratos " + version, "steps": steps,
+                       "seconds_a_step": sum(self.seconds) / steps, "start_seconds": self.start,
+                       "newton": sum(self.iterations) / steps,
+                       "points": self.model["MPM_Material"].NumberOfElements()}, file, indent=1)
 
 
 def main():
     options = parse()
-    KM.Logger.GetDefaultOutput().SetSeverity(KM.Logger.Severity.WARNING)
-    run = Timed(write_case(options))
+    dim = options.dim
+    tank, column = ([3.22, 2.0], [1.2, 0.6]) if dim == 2 else ([1.6, 0.4, 0.8], [0.4, 0.4, 0.4])
+    run = Timed(write_case(options, box_mesh(column, options.h), box_mesh(tank, options.h),
+                           [-float(i == dim - 1) for i in range(3)]))
     run.Run()
-    steps = len(run.seconds)
-    with open(os.path.join(options.output, "kratos.json"), "w", encoding="utf-8") as file:
-        json.dump({"version": "Kratos " + KM.KratosGlobals.Kernel.Version().split("-")[0].replace('"', ""),
-                   "steps": steps, "seconds_a_step": sum(run.seconds) / steps,
-                   "start_seconds": run.start, "newton": sum(run.iterations) / steps,
-                   "points": run.model["MPM_Material"].NumberOfElements()}, file, indent=1)
+    run.write_result(options.output)
 
 
 if __name__ == "__main__":
