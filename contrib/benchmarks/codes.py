@@ -75,7 +75,7 @@ class Seiche:
     columns = {  # of statistics.csv -> of curves.csv
         "time [s]": "t", "pressure_time [s]": "t_pressure", "front surge [m]": "front",
         "gauge column [m]": "height", "probe centre pressure [Pa]": "p_centre",
-        "relative_energy": "energy",
+        "relative_energy": "energy", "kinetic energy [J]": "kinetic", "potential energy [J]": "potential",
         "gauge left [m]": "left", "gauge right [m]": "right", **{f"depth H{i} [m]": f"H{i}" for i in range(1, 5)},
         **{f"probe P{i} pressure [Pa]": f"P{i}" for i in range(1, 9)},
     }
@@ -128,8 +128,11 @@ class OpenFoam:
 
 
 class Kratos:
-    """Kratos' material point application by peers/kratos_mpm.py in an environment
+    """Kratos' material point application by one of peers/kratos_*.py in an environment
     of its own; arguments are that script's options."""
+
+    def __init__(self, script):
+        self.script = os.path.join(PEERS, script)
 
     def is_installed(self):
         return os.access(KRATOS_PYTHON, os.X_OK)
@@ -138,11 +141,10 @@ class Kratos:
         packages = os.path.dirname(os.path.dirname(KRATOS_PYTHON))
         names = sorted(map(os.path.basename, glob.glob(
             os.path.join(packages, "lib", "*", "site-packages", "Kratos*.dist-info"))))
-        return " ".join([*names, digest(os.path.join(PEERS, "kratos_mpm.py"))])
+        return " ".join([*names, digest(*{os.path.join(PEERS, "kratos_mpm.py"), self.script})])
 
     def run(self, arguments, folder):
-        wall, cpu = measured([KRATOS_PYTHON, os.path.join(PEERS, "kratos_mpm.py"), *arguments,
-                              "--output", folder], folder)
+        wall, cpu = measured([KRATOS_PYTHON, self.script, *arguments, "--output", folder], folder)
         with open(os.path.join(folder, "kratos.json"), encoding="utf-8") as file:
             result = json.load(file)
         return {"wall_seconds": wall, "cpu_seconds": cpu, **result}
@@ -173,4 +175,5 @@ class PySph:
                 "seconds_a_step": cpu / result["steps"], **result}
 
 
-CODES = {"seiche": Seiche(), "openfoam": OpenFoam(), "kratos": Kratos(), "pysph": PySph()}
+CODES = {"seiche": Seiche(), "openfoam": OpenFoam(), "kratos": Kratos("kratos_mpm.py"),
+         "kratos_walls": Kratos("kratos_walls.py"), "pysph": PySph()}

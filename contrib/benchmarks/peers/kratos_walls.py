@@ -34,7 +34,7 @@ def parse():
     parser.add_argument("--penalty", type=float, default=1e10, help="factor of penalty and perturbation")
     parser.add_argument("--contact", action="store_true", help="walls that push and do not pull")
     parser.add_argument("--wall-points", type=int, default=1, help="of the wall, on each of its pieces")
-    parser.add_argument("--pieces", type=float, default=2, help="of the wall, a cell size")
+    parser.add_argument("--pieces", type=float, default=4, help="of the wall, on a cell size")
     parser.add_argument("--scheme", choices=("newmark", "bossak"), default="newmark")
     parser.add_argument("--output", required=True)
     options = parser.parse_args()
