@@ -78,9 +78,9 @@ def rms_difference(column, begin, end, scale, change=False):
     return error
 
 
-def at_the_end(column):
-    """The last value, if the code has that column."""
-    return lambda folder, _: read_curves(folder).get(column, [None])[-1]
+def largest(column):
+    """Of all times; None, too, if there is none."""
+    return lambda folder, _: max(read_curves(folder).get(column, []), default=None) or None
 
 
 def centre_pressure(folder, _):
@@ -274,19 +274,24 @@ def kratos_walls():
                             ("perturbed 1e9", ["perturbed_lagrange", "--penalty", "1e9"]),
                             ("penalty 1e8", ["penalty", "--penalty", "1e8"])):
         runs.append(Run(f"kratos, turned, {walls}", "kratos_walls", ["--walls", *settings], runs[0].name))
-    common = ["Points/Per cell and direction = 4", "Time/Step control = fixed", "Formulation/Tau continuity time = 0.005"]
+    long = ["--dt", "0.005"]
+    runs += [Run("kratos, along the grid, dt 0.005", "kratos_walls", long, is_reference=True),
+             Run("kratos, turned, Lagrange, dt 0.005", "kratos_walls", ["--walls", "lagrange", *long],
+                 "kratos, along the grid, dt 0.005")]
+    common = ["Points/Per cell and direction = 4", "Time/Step control = fixed",
+              "Formulation/Tau continuity time = 0.005"]
     for kappa, dt in (("1e5", "0.001"), ("infinite", "0.001"), ("infinite", "0.005")):
         entries = [*common, f"Fluid/Bulk modulus = {kappa}", f"Time/Step = {dt}"]
         name = f"bulk modulus {kappa}, dt {dt}"
         along = Run(f"seiche, along the grid, {name}", "seiche", [ALIGNED, *entries], is_reference=True)
         runs += [along, Run(f"seiche, turned, {name}", "seiche", [TURNED, *entries], along.name)]
-    return Case("Dam break to 0.9 s in a tank turned by 30 degrees against the grid, h 0.05 m, dt 0.001 s, 16 points a "
-                "cell; rms of kinetic energy (over 576 J) and fall (over the column's 1059 J) against the same code "
-                "in a tank along the grid", runs,
+    return Case("Dam break to 0.9 s in a tank turned by 30 degrees against the grid, h 0.05 m, dt 0.001 s if not "
+                "said, 16 points a cell; rms of kinetic energy (over 576 J) and fall (over the column's 1059 J) "
+                "against the same code in a tank along the grid", runs,
                 {"kinetic energy": rms_difference("kinetic", 0, 0.9, 576),
                  "fall": rms_difference("potential", 0, 0.9, 1059, change=True),
-                 "points 0.1 h beyond walls": at_the_end("outside"),
-                 "steps not converged": at_the_end("unconverged")}, "seconds_a_step")
+                 "points 0.1 h beyond walls": largest("outside"),
+                 "steps not converged": largest("unconverged")}, "seconds_a_step")
 
 
 def marin(sizes, by_default):
