@@ -22,6 +22,10 @@ namespace seiche
 
     constexpr double longest_shift = 0.1; // of the cell, each direction
 
+    /// Of a node's fill: where a wall leaves next to nothing of a hat, a single
+    /// point fills it a thousandfold and would drive those of all cells around.
+    constexpr double largest_excess = 1.;
+
     // the shift is small and comes again in the next step
     constexpr double       tolerance      = 1e-2;
     constexpr unsigned int max_iterations = 200;
@@ -177,8 +181,10 @@ namespace seiche
       if (is_free.local_element(i) > 0.)
         {
           const double V = occupancy.nodes.volume(i);
-          sums.local_element(i) =
-            share * (inside.local_element(i) - f.local_element(i)) * V;
+          const double missing =
+            std::max(inside.local_element(i) - f.local_element(i),
+                     -largest_excess);
+          sums.local_element(i) = share * missing * V;
           total += sums.local_element(i);
           volume += V;
         }

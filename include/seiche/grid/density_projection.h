@@ -19,7 +19,8 @@ namespace seiche
    *
    *     sum_J psi_J int grad N_I . grad N_J = min(1, r n) (f_h - f)_I V_I,
    *
-   * n the cells that fluid passes in the step, psi = 0 elsewhere; a point moves
+   * n the cells that fluid passes in the step, f_h - f not less than -1 (hats
+   * of which a wall leaves next to nothing), psi = 0 elsewhere; a point moves
    * by grad psi, its velocity follows by Taylor with the gradient that it
    * carries. In a full box without a surface the mean of the right-hand side is
    * left out. Integrals are over what solids leave of a cell: no point is sent
