@@ -99,9 +99,6 @@ namespace seiche
                           momentum_subscale,
                           pressure_subscale,
                           point_inertia,
-                          walls,
-                          wall_drag,
-                          wall_friction,
                           ghost_acceleration,
                           ghost_pressure);
 

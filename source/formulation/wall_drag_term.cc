@@ -24,7 +24,7 @@ namespace seiche
       SolidInStep<dim> solid;
       const Material  *material;
       StepCoefficients step;
-      double           e;             // h/beta [m]
+      double           e;             // [m]
       Tensor<1, dim>   rate;          // v = c_r u + this [m/s]
       Tensor<2, dim>   rate_gradient; // its gradient at t_n [1/s]
     };

@@ -38,8 +38,15 @@ namespace seiche
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
             for (unsigned int i = 0; i < dim; ++i)
-              slip[a][i] = cell.rate_velocity[i][a] +
-                           rest * cell.acceleration[i][a] - way[i] / step.dt;
+              {
+                double acceleration = cell.acceleration[i][a];
+                if (cell.turns) // of the velocities in the tank's frame
+                  for (unsigned int k = 0; k < dim; ++k)
+                    acceleration -=
+                      cell.coriolis[i][k] * cell.rate_velocity[k][a];
+                slip[a][i] = cell.rate_velocity[i][a] + rest * acceleration -
+                             way[i] / step.dt;
+              }
             slip[a] -= (normal * slip[a]) * normal;
           }
       }

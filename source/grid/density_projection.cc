@@ -22,8 +22,7 @@ namespace seiche
 
     constexpr double longest_shift = 0.1; // of the cell, each direction
 
-    /// Of a node's fill: where a wall leaves next to nothing of a hat, a single
-    /// point fills it a thousandfold and would drive those of all cells around.
+    /// Of a node's fill (doc/theory.md (5.1)).
     constexpr double largest_excess = 1.;
 
     // the shift is small and comes again in the next step

@@ -17,7 +17,8 @@ namespace seiche
 
   namespace
   {
-    /// Wet share of a hat that tells nothing: the slope does.
+    /// Integral of a hat over the volume of its cells below which it tells
+    /// nothing: the slope does.
     constexpr double negligible = 1e-4;
 
     /// Of levels [cells] and of fluid over the hat's integral.

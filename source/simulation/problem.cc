@@ -90,7 +90,8 @@ namespace seiche
                 matrix.sparsity(),
                 timer)
   {
-    require_solids_on_grid(occupancy, scene.input);
+    if (start == nullptr) // they may have left it since
+      require_solids_on_grid(occupancy, scene.input);
   }
 
   template <int dim>

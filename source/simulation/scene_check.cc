@@ -55,6 +55,11 @@ namespace seiche
                           scene.tank_motion.body.path("Free"),
                           "a tank and solids that the fluid moves do not go "
                           "together: leave it, or Free of the solids, empty.");
+      scene.input.require(!scene.tank_motion.turns() ||
+                            !any_is_free(scene.grid.solids),
+                          scene.tank_motion.body.path("Rotation"),
+                          "solids that the fluid moves do not feel the turning "
+                          "of a tank: leave it, or Free of the solids, empty.");
       if (!scene.solids.empty())
         scene.input.cites("nitsche1971");
     }

@@ -129,7 +129,7 @@ namespace seiche
   std::vector<BodyStop>
   SolidCoupling<dim>::find_stops(const GridState<dim> &state) const
   {
-    const auto places = solids_nearby(occupancy, state.time, state.dt);
+    const auto places = solids_nearby(occupancy, state.time);
     if (places.empty())
       return {};
     const auto                &solids = occupancy.locator.solids;
@@ -144,11 +144,11 @@ namespace seiche
         double     restitution = solids[nearby.solid].restitution;
         if (!at_wall)
           restitution = std::max(restitution, solids[nearby.other].restitution);
-        BodyStop stop;
-        stop.rate = nearby.normal *
-                    (velocities[nearby.solid].at(nearby.place) -
-                     (at_wall ? nearby.velocity_of_wall :
-                                velocities[nearby.other].at(nearby.place)));
+        BodyStop       stop;
+        Tensor<1, dim> relative = velocities[nearby.solid].at(nearby.place);
+        if (!at_wall) // walls of the grid do not move across themselves
+          relative -= velocities[nearby.other].at(nearby.place);
+        stop.rate  = nearby.normal * relative;
         stop.least = -restitution * std::min(0., stop.rate);
         for (unsigned int i = 0; i < directions.size(); ++i)
           {

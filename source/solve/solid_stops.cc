@@ -25,7 +25,7 @@ namespace seiche
     struct Finder
     {
       const CellLocator<dim> &locator;
-      const double            time, dt;
+      const double            time;
 
       std::vector<SolidNearby<dim>> found;
 
@@ -45,7 +45,7 @@ namespace seiche
                          solids[o].is_free() ? stop_distance(solids[o], cell) :
                                                0.);
               if (solids[o].shape->distance(x) < reach)
-                found.push_back({number, o, x, solids[o].shape->normal(x), {}});
+                found.push_back({number, o, x, solids[o].shape->normal(x)});
             }
         if (solid.is_free())
           for (const Wall<dim> &wall : locator.grid.parameters.walls)
@@ -54,8 +54,7 @@ namespace seiche
               found.push_back({number,
                                numbers::invalid_unsigned_int,
                                x,
-                               wall.normal(x, time),
-                               wall.velocity(x, time, dt)});
+                               wall.normal(x, time)});
       }
     };
 
@@ -67,17 +66,14 @@ namespace seiche
     {
       if (Utilities::MPI::n_mpi_processes(communicator) == 1)
         return own;
-      constexpr unsigned int n = 2 + 3 * dim;
+      constexpr unsigned int n = 2 + 2 * dim;
       std::vector<double>    packed;
       for (const SolidNearby<dim> &one : own)
         {
           packed.push_back(one.solid);
           packed.push_back(one.other);
           for (unsigned int d = 0; d < dim; ++d)
-            packed.insert(packed.end(),
-                          {one.place[d],
-                           one.normal[d],
-                           one.velocity_of_wall[d]});
+            packed.insert(packed.end(), {one.place[d], one.normal[d]});
         }
       std::vector<SolidNearby<dim>> result;
       for (const auto &part : Utilities::MPI::all_gather(communicator, packed))
@@ -88,9 +84,8 @@ namespace seiche
             one.other = static_cast<unsigned int>(part[i + 1]);
             for (unsigned int d = 0; d < dim; ++d)
               {
-                one.place[d]            = part[i + 2 + 3 * d];
-                one.normal[d]           = part[i + 3 + 3 * d];
-                one.velocity_of_wall[d] = part[i + 4 + 3 * d];
+                one.place[d]  = part[i + 2 + 2 * d];
+                one.normal[d] = part[i + 3 + 2 * d];
               }
             result.push_back(one);
           }
@@ -100,13 +95,11 @@ namespace seiche
 
   template <int dim>
   std::vector<SolidNearby<dim>>
-  solids_nearby(const Occupancy<dim> &occupancy,
-                const double          time,
-                const double          dt)
+  solids_nearby(const Occupancy<dim> &occupancy, const double time)
   {
     const auto &locator = occupancy.locator;
     const auto &walls   = occupancy.mesh_nodes.cut_walls;
-    Finder<dim> finder{locator, time, dt, {}};
+    Finder<dim> finder{locator, time, {}};
     for (unsigned int cell = 0; cell < locator.cells.n_owned(); ++cell)
       if (walls.cuts(cell))
         {
@@ -127,7 +120,7 @@ namespace seiche
   }
 
   template std::vector<SolidNearby<2>>
-  solids_nearby(const Occupancy<2> &, const double, const double);
+  solids_nearby(const Occupancy<2> &, const double);
   template std::vector<SolidNearby<3>>
-  solids_nearby(const Occupancy<3> &, const double, const double);
+  solids_nearby(const Occupancy<3> &, const double);
 } // namespace seiche

@@ -120,9 +120,12 @@ namespace seiche
               continue;
             name_solids(cell, part.whole.wall);
           }
-        shares[cell] = std::min(1., part.whole.volume);
-        if (part.whole.wall.empty())
-          continue;
+        if (part.whole.wall.empty()) // it touches
+          {
+            shares[cell] = 1.;
+            continue;
+          }
+        shares[cell]       = std::min(1., part.whole.volume);
         part_of_cell[cell] = parts.size();
         parts.push_back(std::move(part));
       }

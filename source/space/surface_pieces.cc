@@ -64,7 +64,9 @@ namespace seiche
       [&](SurfacePiece<dim> part) {
         if (area_vector<dim>(part) * area < 0.) // it may be turned
           std::swap(part[0], part[1]);
-        result.push_back(part);
+        // the zero passes through a vertex
+        if (area_vector<dim>(part).norm() > negligible_area)
+          result.push_back(part);
       });
     return result;
   }

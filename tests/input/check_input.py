@@ -218,6 +218,9 @@ VALUES = [
     Case("mooring without anchor",
          **added(FREE_SOLID + MOORING.replace("end\n", "  set Length = 1\nend\n")),
          line=None, expect=['"Anchor" in "Mooring bow"', "is needed"]),
+    Case("free solid in a tank that turns",
+         **added(FREE_SOLID + "subsection Tank motion\n  set Rotation = 0.1*sin(t)\nend\n"),
+         line=None, expect=['"Rotation" in "Tank motion"', "do not feel"]),
     Case("solid between periodic sides",
          **added(SOLID + "subsection Walls\n  set Left = periodic\n"
                  "  set Right = periodic\nend\n"),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A bed that leaves next to nothing of a cell, and a point that lies a little
-// in the bed there: it fills a hat a million times, and is not sent away for
+// in the bed there: it fills a hat without bounds, and is not sent away for
 // that.
 #include <algorithm>
 #include <cmath>

@@ -92,6 +92,19 @@ namespace
             }
   }
 
+  template <int dim, int degree>
+  void
+  add_coriolis(CellData<dim, degree> &cell)
+  {
+    cell.turns = true;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int k = 0; k < i; ++k)
+        {
+          cell.coriolis[i][k] = 15. + 5. * i - 8. * k;
+          cell.coriolis[k][i] = -cell.coriolis[i][k];
+        }
+  }
+
   /// In a tank that turns: a Coriolis acceleration as large as the inertia, the
   /// points' own extent too.
   template <int dim, int degree>
@@ -119,13 +132,7 @@ namespace
                   fill_cell(cell, material, theta, lumped);
                   cell.orthogonal = parameters.stabilization.is_orthogonal();
                   cell.extent_inertia = 0.02;
-                  cell.turns          = true;
-                  for (unsigned int i = 0; i < dim; ++i)
-                    for (unsigned int k = 0; k < i; ++k)
-                      {
-                        cell.coriolis[i][k] = 15. + 5. * i - 8. * k;
-                        cell.coriolis[k][i] = -cell.coriolis[i][k];
-                      }
+                  add_coriolis(cell);
                   ++n_all;
                   const double error = step_error(formulation, cell);
                   if (error < 1e-6)
@@ -149,8 +156,11 @@ namespace
     const Material water   = newtonian(0.7),
                    thinner = material_of(std::make_shared<PowerLaw>(0.4, 0.1),
                                          /*viscosity=*/0.7);
-    for (const auto &[fluid, theta] :
-         {std::pair(water, 0.), {water, 0.5}, {water, 1.}, {thinner, 0.5}})
+    for (const auto &[fluid, theta, turns] : {std::tuple(water, 0., false),
+                                              {water, 0.5, false},
+                                              {water, 1., false},
+                                              {thinner, 0.5, false},
+                                              {water, 0.5, true}})
       {
         FormulationParameters parameters;
         const auto            formulation = make_formulation<dim>(parameters,
@@ -192,6 +202,8 @@ namespace
         cell.solids           = &solids;
         cell.wall_material    = &fluid;
         cell.wall_may_be_left = true;
+        if (turns)
+          add_coriolis(cell);
         ++n_all;
         const double error = step_error(formulation, cell);
         for (const unsigned int s : {3, 4})

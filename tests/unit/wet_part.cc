@@ -133,6 +133,34 @@ namespace
               << (box.defect < 1e-12) << std::endl;
   }
 
+  /// Where the surface meets a wall at a vertex of the cell's simplices, pieces
+  /// may shrink to nothing: they have no normal.
+  template <int dim>
+  void
+  check_through_centre()
+  {
+    Point<dim> lower, upper;
+    for (unsigned int d = 0; d < dim; ++d)
+      upper[d] = 1.;
+    VertexValues<dim> level, wall;
+    for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+      {
+        const Point<dim> x = GeometryInfo<dim>::unit_cell_vertex(v);
+        level[v]           = x[dim - 1] - 0.5;
+        wall[v]            = x[0] - 0.5;
+      }
+    const WetPart<dim> part(level, wall, CellGeometry<dim>(lower, upper));
+    double             least = 1., area = 0.;
+    for (const WallPoint<dim> &point : part.wall)
+      {
+        least = std::min(least, point.area.norm());
+        area += point.area.norm();
+      }
+    std::cout << dim << "D, both through the centre: volume " << part.volume
+              << ", wall " << area << ", all of it has an area " << (least > 0.)
+              << std::endl;
+  }
+
   template <int dim>
   void
   check(const unsigned int n)
@@ -170,4 +198,6 @@ main()
   check<3>(12);
   check_along_lines<2>();
   check_along_lines<3>();
+  check_through_centre<2>();
+  check_through_centre<3>();
 }

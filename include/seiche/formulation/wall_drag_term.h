@@ -10,7 +10,8 @@ namespace seiche
    * @brief What walls that cut cells do to the fluid along themselves, and its
    * viscous stress s across them, weakly (Nitsche 1971; Juntunen and Stenberg
    * 2009; doc/theory.md (8.11)): with T = s n, T' = s(w) n, v the velocity
-   * relative to the wall, all split across and along it, and e = h/beta,
+   * relative to the wall (across it the mean of the step), all split across and
+   * along it, and e = h/(beta k^2), k the degree,
    *
    *     R_u += int - T_n w_n - v_n T'_n + (mu/e) v_n w_n
    *              + {- e T_t.w_t - e v_t.T'_t + mu v_t.w_t

@@ -34,7 +34,8 @@ namespace seiche
 
     /// Level set at the node [cells], @p most or less, if the fluid lies below
     /// a plane on which the level set has this gradient [-]; sought from
-    /// @p guess on.
+    /// @p guess on. A cell below @p most, -1 at least, where the hat is full or
+    /// tells nothing.
     double
     level(const dealii::Tensor<1, dim> &gradient,
           const double                  most,

@@ -15,7 +15,7 @@ namespace seiche
    * hardly any of the node's hat is wet.
    *
    * Nodes beside known ones become known, those beside these next. Who follows
-   * from whom depends on the walls alone and is found once.
+   * from whom depends on what is wet, and is found anew for each fill.
    */
   template <int dim>
   class LevelAtWalls

@@ -15,20 +15,16 @@ namespace seiche
     unsigned int           other;  ///< solid; invalid: a wall of the grid
     dealii::Point<dim>     place;  ///< [m]
     dealii::Tensor<1, dim> normal; ///< away from the other
-    dealii::Tensor<1, dim> velocity_of_wall; ///< of the grid [m/s]
   };
 
   /**
    * @brief Where free solids are nearer to others, or to walls of the grid,
    * than they may come (Solid::stop_distance): in the order of places, the same
-   * on all ranks. @p time of the walls, @p dt as of Wall::velocity() [s].
-   * Collective.
+   * on all ranks. @p time of the walls [s]. Collective.
    */
   template <int dim>
   std::vector<SolidNearby<dim>>
-  solids_nearby(const Occupancy<dim> &occupancy,
-                const double          time,
-                const double          dt);
+  solids_nearby(const Occupancy<dim> &occupancy, const double time);
 } // namespace seiche
 
 #endif
