@@ -139,10 +139,7 @@ namespace seiche
     result.fill(cuts(cell) ? 0. : wet_share(cell) / result.size());
     if (cuts(cell))
       for (const WeightedPoint<dim> &point : whole(cell).points)
-        for (unsigned int v = 0; v < result.size(); ++v)
-          result[v] +=
-            point.weight *
-            GeometryInfo<dim>::d_linear_shape_function(point.unit, v);
+        add_hats<dim>(point, result);
     return result;
   }
 

@@ -192,13 +192,11 @@ namespace seiche
   hat_integrals(const VertexValues<dim> &surface, const VertexValues<dim> &wall)
   {
     VertexValues<dim> result{};
-    for_each_point_inside<dim>(
-      surface, wall, [&](const WeightedPoint<dim> &point) {
-        for (unsigned int v = 0; v < result.size(); ++v)
-          result[v] +=
-            point.weight *
-            GeometryInfo<dim>::d_linear_shape_function(point.unit, v);
-      });
+    for_each_point_inside<dim>(surface,
+                               wall,
+                               [&](const WeightedPoint<dim> &point) {
+                                 add_hats<dim>(point, result);
+                               });
     return result;
   }
 

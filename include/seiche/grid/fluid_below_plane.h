@@ -19,7 +19,7 @@ namespace seiche
   {
   public:
     /// @p fluid_in_hat: integral of the hat over the fluid [m^dim].
-    explicit FluidBelowPlane(const double fluid_in_hat = 0.)
+    explicit FluidBelowPlane(const double fluid_in_hat)
       : fluid(fluid_in_hat)
     {}
 

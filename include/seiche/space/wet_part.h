@@ -5,6 +5,7 @@
 #include <seiche/mesh/cell_geometry.h>
 #include <seiche/space/cell_simplices.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/tensor.h>
 
 #include <vector>
@@ -18,6 +19,17 @@ namespace seiche
     dealii::Point<dim> unit;
     double             weight;
   };
+
+  /// Add the hat functions of the vertices at a point to their integrals.
+  template <int dim>
+  inline void
+  add_hats(const WeightedPoint<dim> &point, VertexValues<dim> &integrals)
+  {
+    for (unsigned int v = 0; v < integrals.size(); ++v)
+      integrals[v] +=
+        point.weight *
+        dealii::GeometryInfo<dim>::d_linear_shape_function(point.unit, v);
+  }
 
   /// A point of a wall in the unit cell.
   template <int dim>
