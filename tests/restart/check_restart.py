@@ -197,7 +197,7 @@ def exact_seam(make, folder, ranks):
 
 def exact_solids(make, folder, ranks):
     """Walls cut cells."""
-    exact(make(SCENE_SOLIDS, ranks), folder, ["statistics.csv"], ["0.1"])
+    exact(make(SCENE_SOLIDS, ranks), folder, ["statistics.csv"], ["0.13"])
 
 
 def exact_free_solids(make, folder, ranks):
