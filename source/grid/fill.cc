@@ -40,7 +40,7 @@ namespace seiche
     closed.update(
       [this](const unsigned int cell) { return has_no_room(cell); });
     mark_inner_nodes();
-    collect_ghost_faces();
+    collect_ghost_faces(points);
   }
 
   template <int dim>
@@ -200,10 +200,24 @@ namespace seiche
   }
 
   template <int dim>
-  void
-  Fill<dim>::collect_ghost_faces()
+  std::vector<double>
+  Fill<dim>::penalised_fluid(const PointCloud<dim> &points) const
   {
-    const auto is_fragment = [&](const unsigned int cell) {
+    const auto         &cells = occupancy.locator.cells;
+    std::vector<double> result(cells.size(), 1.);
+    for (const unsigned int cell : occupancy.cells.occupied())
+      if (is_spray(cell))
+        result[cell] = std::min(1., loose_volume(cell, points));
+    cells.exchange_to_ghosts(result);
+    return result;
+  }
+
+  template <int dim>
+  void
+  Fill<dim>::collect_ghost_faces(const PointCloud<dim> &points)
+  {
+    const std::vector<double> fluid       = penalised_fluid(points);
+    const auto                is_fragment = [&](const unsigned int cell) {
       return occupancy.cells.holds_points(cell) &&
              inside_share(cell) < fragment_below * walls().wet_share(cell);
     };
@@ -221,7 +235,8 @@ namespace seiche
           faces.push_back({lower,
                            upper,
                            direction,
-                           is_fragment(lower) || is_fragment(upper)});
+                           is_fragment(lower) || is_fragment(upper),
+                           std::min(fluid[lower], fluid[upper])});
       });
   }
 

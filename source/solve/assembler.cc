@@ -75,17 +75,17 @@ namespace seiche
     const TimerTree::Scope scope(timer, "ghost penalty");
     ghost_penalty.clear();
     if (weak_form->acts_on_faces)
-      ghost_penalty.assemble(
-        fill.ghost_faces(),
-        [this](const GhostFace   &face,
-               const double       h,
-               const unsigned int degree) {
-          return weak_form->ghost_coefficients(
-            {h,
-             materials.mean(face.lower, face.upper).mass(std::pow(h, 3)),
-             ghost_tau(face, degree),
-             face.fragment});
-        });
+      ghost_penalty.assemble(fill.ghost_faces(),
+                             [this](const GhostFace   &face,
+                                    const double       h,
+                                    const unsigned int degree) {
+                               return weak_form->ghost_coefficients(
+                                 {h,
+                                  materials.mean(face.lower, face.upper)
+                                    .mass(face.fluid * std::pow(h, 3)),
+                                  face.fluid * ghost_tau(face, degree),
+                                  face.fragment});
+                             });
   }
 
   template <int dim>

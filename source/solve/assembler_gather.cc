@@ -15,9 +15,10 @@ namespace seiche
     CellData<dim, degree> &data    = std::get<degree - 1>(workspace);
     data.coefficients              = step;
     data.geometry                  = occupancy.locator.cells.geometry(cell);
-    data.lumped                    = formulation.lumps_inertia;
-    data.is_cut                    = fill.is_cut(cell);
-    data.fluid                     = materials.mean(cell);
+    // few points alone in a cell: a consistent mass lets its nodes run away
+    data.lumped = formulation.lumps_inertia || fill.is_spray(cell);
+    data.is_cut = fill.is_cut(cell);
+    data.fluid  = materials.mean(cell);
     data.extent_inertia =
       data.fluid.mass(fill.extent_moment(cell)) * data.geometry.measure;
     quadrature.get(cell, data.quadrature);

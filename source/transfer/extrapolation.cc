@@ -16,14 +16,15 @@ namespace seiche
       using Shape  = Basis<dim, 1>;
 
       Extrapolation(const PointCloud<dim> &points,
-                    const Occupancy<dim>  &grid_occupancy,
+                    const Fill<dim>       &grid_fill,
                     GridState<dim>        &state)
-        : occupancy(grid_occupancy)
+        : fill(grid_fill)
+        , occupancy(grid_fill.occupancy)
         , cells_with_points(occupancy.nodes.partitioner())
         , count(occupancy.nodes.partitioner())
       {
         for (const unsigned int cell : occupancy.cells.occupied())
-          if (points.n_points_in(cell) > 0)
+          if (points.n_points_in(cell) > 0 && !fill.is_spray(cell))
             for (unsigned int a = 0; a < occupancy.nodes_per_cell(); ++a)
               cells_with_points.local_element(
                 occupancy.nodes.of_cell(cell)[a]) += 1.;
@@ -41,7 +42,7 @@ namespace seiche
         const auto &locator = occupancy.locator;
         for (const unsigned int cell : occupancy.cells.occupied())
           {
-            if (has_field(cell))
+            if (has_field(cell) || fill.is_spray(cell))
               continue;
             bool found = false;
             for (const unsigned int face : GeometryInfo<dim>::face_indices())
@@ -157,6 +158,7 @@ namespace seiche
         field.values.update_ghost_values();
       }
 
+      const Fill<dim>      &fill;
       const Occupancy<dim> &occupancy;
       Vector                cells_with_points, count; // of the nodes
       std::vector<Field>    fields;
@@ -166,18 +168,14 @@ namespace seiche
   template <int dim>
   void
   extrapolate_fields(const PointCloud<dim> &points,
-                     const Occupancy<dim>  &occupancy,
+                     const Fill<dim>       &fill,
                      GridState<dim>        &state)
   {
-    Extrapolation<dim>(points, occupancy, state).run();
+    Extrapolation<dim>(points, fill, state).run();
   }
 
   template void
-  extrapolate_fields(const PointCloud<2> &,
-                     const Occupancy<2> &,
-                     GridState<2> &);
+  extrapolate_fields(const PointCloud<2> &, const Fill<2> &, GridState<2> &);
   template void
-  extrapolate_fields(const PointCloud<3> &,
-                     const Occupancy<3> &,
-                     GridState<3> &);
+  extrapolate_fields(const PointCloud<3> &, const Fill<3> &, GridState<3> &);
 } // namespace seiche

@@ -62,7 +62,7 @@ namespace seiche
         method.update == VelocityUpdate::xpic)
       expand_series(points, state);
     if (fill.has_surface())
-      extrapolate_fields(points, occupancy, state);
+      extrapolate_fields(points, fill, state);
   }
 
   template void

@@ -7,7 +7,7 @@ compare_seam.py SEICHE MPIRUN CASE [--ranks N]
 The scene of the case runs twice, the second time with the grid's corners (and
 the bodies that it takes along) moved by some cells, so that the seam is
 elsewhere in the fluid; on N ranks the second time. All columns of
-statistics.csv agree to 1e-10 of the column's largest value (momenta: of
+statistics.csv agree to 1e-9 of the column's largest value (momenta: of
 that at 1 m/s; 1e-8 where points carry an acceleration, whose round-off grows), but
 for iteration counts and moments, which depend on the origin.
 """
@@ -19,7 +19,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "ranks"))
 from compare_ranks import SCALES, difference, run  # noqa: E402
 
-TOLERANCE = 1e-10
+# fills are rounded to 1e-10 (doc/theory.md, section 5), and round-off may flip the
+# last digit of one
+TOLERANCE = 1e-9
 WITH_ACCELERATION = 1e-8
 # orthogonal subscales keep what the solves of the first iterations have left, 1e-6
 # of an update, in their projection, which the later ones do not change any more

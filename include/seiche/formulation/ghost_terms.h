@@ -25,7 +25,7 @@ namespace seiche
     }
   };
 
-  /// Of the acceleration: gamma_a rho h^3.
+  /// Of the acceleration: gamma_a c rho h^3.
   struct GhostAccelerationTerm : GhostTerm
   {
     explicit GhostAccelerationTerm(const FreeSurfaceParameters &parameters)
@@ -39,7 +39,7 @@ namespace seiche
     }
   };
 
-  /// Of the pressure: gamma_p tau1 h.
+  /// Of the pressure: gamma_p c tau1 h.
   struct GhostPressureTerm : GhostTerm
   {
     explicit GhostPressureTerm(const FreeSurfaceParameters &parameters)
@@ -53,7 +53,7 @@ namespace seiche
     }
   };
 
-  /// Of the velocity, at fragments: gamma_v rho h^3/T_v.
+  /// Of the velocity, at fragments: gamma_v c rho h^3/T_v.
   struct GhostVelocityTerm : GhostTerm
   {
     double time; ///< [s]

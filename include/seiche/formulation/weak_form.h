@@ -10,8 +10,8 @@ namespace seiche
   struct GhostFaceData
   {
     double h;           ///< mean edge length along the normal [m]
-    double mass;        ///< rho h^3 [kg]
-    double tau;         ///< transient tau1 [m^4/N], with a pressure
+    double mass;        ///< c rho h^3, c = GhostFace::fluid [kg]
+    double tau;         ///< c times transient tau1 [m^4/N], with a pressure
     bool   is_fragment; ///< GhostFace::fragment
   };
 

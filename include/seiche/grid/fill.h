@@ -14,10 +14,11 @@ namespace seiche
   /// A face between two occupied cells of which at least one is cut.
   struct GhostFace
   {
-    unsigned int lower;     ///< local cell on the lower side
-    unsigned int upper;     ///< local cell on the upper side
-    unsigned int direction; ///< of the normal
-    bool         fragment;  ///< one of the cells has points, hardly an inside
+    unsigned int lower;      ///< local cell on the lower side
+    unsigned int upper;      ///< local cell on the upper side
+    unsigned int direction;  ///< of the normal
+    bool         fragment;   ///< one of the cells has points, hardly an inside
+    double       fluid = 1.; ///< [cells] that the penalty stands for, at most 1
   };
 
   /// Rules of the weak forms' quadrature.
@@ -92,6 +93,14 @@ namespace seiche
     inside_share(const unsigned int cell) const
     {
       return has_surface() ? surface().inside_share(cell) : 0.;
+    }
+
+    /// True if the surface sees nothing of the fluid in an occupied cell: all
+    /// that its points are is loose (drops, thin sheets). Own and ghost cells.
+    bool
+    is_spray(const unsigned int cell) const
+    {
+      return has_surface() && surface().inside_share(cell) == 0.;
     }
 
     /// True if the inside fills the cell, whose quadrature are Gauss points
@@ -223,8 +232,12 @@ namespace seiche
     classify(const PointCloud<dim> &points);
     void
     mark_inner_nodes();
+    /// Of each cell, in cells, on which a ghost penalty may act: all of it, or
+    /// of spray the volume of its points. Collective.
+    std::vector<double>
+    penalised_fluid(const PointCloud<dim> &points) const;
     void
-    collect_ghost_faces();
+    collect_ghost_faces(const PointCloud<dim> &points);
 
     const FilledVolume                  filled;
     const PointBoxes<dim>               boxes;
