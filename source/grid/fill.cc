@@ -205,6 +205,8 @@ namespace seiche
   {
     const auto         &cells = occupancy.locator.cells;
     std::vector<double> result(cells.size(), 1.);
+    if (!has_surface())
+      return result;
     for (const unsigned int cell : occupancy.cells.occupied())
       if (is_spray(cell))
         result[cell] = std::min(1., loose_volume(cell, points));
